@@ -17,6 +17,7 @@ from tmm_report.chapters.title.pieces import DEPTHS, PIECES
 from tmm_report.course import Results, loads
 from tmm_report.languages import LANGUAGES
 from tmm_report.problems import ProblemError
+from tmm_report.report.numbering import Appendix, Numbering
 
 TEMPLATES = Path(__file__).parents[2] / "templates" / "chapters"
 NAMES = ("compressor", "cam_press", "hoist_drive", "punch_press")
@@ -113,6 +114,26 @@ def test_a_piece_goes_where_it_is_told_to():
     assert places(depth="full", appendix=("kinematics.analogues",)) == ["A.1"]
     kept = places(depth="full", appendix=("kinematics",), body=("kinematics.analogues",))
     assert len(kept) == 1 and not kept[0].startswith("A")
+
+
+def test_an_appendix_of_nothing_is_none():
+    """A scotch yoke has no link whose angles a table could give."""
+    note = noted(solved("scotch_yoke"), depth="full", appendix=("kinematics.angles",))
+    assert not [head for head in heads(note) if "Appendix" in head]
+
+
+def test_headings_keep_their_ranks_in_an_appendix():
+    """A piece cut out of a section begins as one; what stood beside its heading stands beside it there, too."""
+    numbering = Numbering()
+    numbering.section("Gears")
+    numbering.section("A pair", 2)
+    appendix = Appendix.of("A", 1, "Gears")
+    with numbering.within(appendix):
+        numbers = [numbering.section("one", 3), numbering.section("its part", 4), numbering.section("two", 3)]
+    with numbering.within(appendix):
+        numbers += [numbering.section("three", 2), numbering.section("its part", 3)]
+    assert [place.number for place in numbers] == ["A.1", "A.1.1", "A.2", "A.3", "A.3.1"]
+    assert numbering.section("Another pair", 2).number == "1.2"
 
 
 def test_letters_are_listed_where_it_is_asked():

@@ -19,20 +19,9 @@ from tmm_report.report.formats import Html, Png, Tex
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
 from tmm_report.report.paper.punctuation import joined
-from tmm_report.report.part import Failed, Note, Part, Title
+from tmm_report.report.part import WHOLE, Failed, Note, Part, Title
 from tmm_report.resources import data_root
 
-
-class Whole:
-    """A note that says all."""
-
-    listed = whole = True
-
-    def stand(self, piece: str) -> str:
-        return "body"
-
-
-WHOLE = Whole()
 FORMATS: dict[str, Callable[[], Html | Tex]] = {"html": lambda: Html(breaking=True), "tex": Tex, "png": Png}
 
 
@@ -48,15 +37,13 @@ def render(
 
     `undone`: what was asked and is not in the note; the conclusions begin with it. `note`: how much it says.
     """
-    page = Page(FORMATS[fmt](), tr, Numbering(), note.stand)
+    page = Page(FORMATS[fmt](), tr, Numbering(), note)
     parts = make(page)
-    text = _written(_given(title, page), parts, page, undone, note)
+    text = _written(_given(title, page), parts, page, undone)
     return page.form.files if fmt == "png" else {f"note.{fmt}": text.encode(), **page.form.files}
 
 
-def _written(
-    given: Mapping[str, Any], parts: Sequence[Part], page: Page, undone: Sequence[Message], note: Note
-) -> str:
+def _written(given: Mapping[str, Any], parts: Sequence[Part], page: Page, undone: Sequence[Message]) -> str:
     fmt = page.form.name
     given = {**given, "m": template(f"macros.{fmt}.j2").make_module(dict(given))}
 
@@ -73,12 +60,12 @@ def _written(
     # what stands in front tells of what the note has
     page.numbering.begin_front()
     failed = [*left_out, *(line for line in concluded if isinstance(line, Failed))]
-    listed = [chapter("symbols")] if note.listed else []
+    listed = [chapter("symbols")] if page.note.listed else []
     body = [*listed, chapter("introduction", failed=failed), *body]
     page.numbering.end_front()
     head = chapter("title")
     text = template(f"report.{fmt}.j2").render(given, head=head, body=body, **_own_files(fmt))
-    text = page.numbering.resolved(text, note.whole)
+    text = page.numbering.resolved(text, page.note.whole)
     return joined(text, fmt, page.t(N_("where")), page.t(N_("Here")))
 
 

@@ -39,8 +39,8 @@ class Html:
     """One self-contained file: pictures stand in it as svg.
 
     `breaking`: whether a line may break within words longer than any of a language, as in a note.
-    `waiting`: figures that have sheets of their own. They stand before the next figure or heading, together, so that
-    the text is broken once.
+    `waiting`: figures that have sheets of their own, and those behind them: they stand before the next heading,
+    together, so that the text goes on and is broken once.
     """
 
     name = "html"
@@ -70,7 +70,7 @@ class Html:
         return Markup(svg(_drawing(picture)))
 
     def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
-        """A figure with its caption where it stands: in the text after those that wait, or among them."""
+        """A figure with its caption where it stands: in the text, or behind those that wait."""
         sheet = sheet_of(picture.size)
         if sheet is None and not self.waiting:
             return figure

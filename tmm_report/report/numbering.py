@@ -31,6 +31,21 @@ class Section(NamedTuple):
 
 
 @dataclass
+class Appendix:
+    """What is cut out of a chapter, behind all: `head`: its letter and the chapter's title; `pieces`: its text."""
+
+    head: Section
+    sections: list[Section]
+    pieces: list[Markup]
+
+    @classmethod
+    def of(cls, letter: str, number: int, title: str) -> Appendix:
+        """`number`: among the appendices, from 1: anchors are of plain letters, whatever the letter."""
+        head = Section(Place(letter, f"appendix{number}"), title, 1, True)
+        return cls(head, [head], [])
+
+
+@dataclass
 class Numbering:
     """Counts as the templates are rendered, once.
 
@@ -47,17 +62,16 @@ class Numbering:
     _counts: dict[Hashable, int] = field(default_factory=dict)
     _explained: set[Hashable] = field(default_factory=set)
     _front: int | None = None  # where the next section of what stands in front is put
-    appended: list[Section] = field(default_factory=list)  # of the appendices, which stand last
-    _letter: Place | None = None  # of the appendix that is being written
-    _begun: bool = False  # whether the piece that is being written has had a heading
+    _appendix: Appendix | None = None  # that is being written
+    _raised: int | None = None  # by how many levels, as a piece cut out of a section begins there as one
     _explained_there: set[Hashable] = field(default_factory=set)
 
     def section(self, title: str, level: int = 1, label: str = "") -> Place:
         """The next section of a level: 1, 2, ...; 2.1, 2.2, ..."""
-        written = self.appended if self._letter else self.sections
-        if self._letter:  # a piece that is cut out of a section begins there as one
-            level = min(level, written[-1].level + 1 if self._begun else 2)
-            self._begun = True
+        written = self._appendix.sections if self._appendix else self.sections
+        if self._appendix:
+            self._raised = level - 2 if self._raised is None else self._raised
+            level = max(2, level - self._raised)
         above = written[-1].place.number.split(".")[: level - 1] if level > 1 else []
         number = ".".join([*above, str(self._next(("section", *above)))])
         place = self._keep(label, Place(number, self._anchor("section", number)))
@@ -65,18 +79,16 @@ class Numbering:
         return place
 
     @contextmanager
-    def appendix(self, place: Place, title: str) -> Iterator[None]:
-        """What is written within stands in an appendix: its sections, tables, figures and formulas are numbered by its
-        letter, `place.number`; what it explains is explained in the text again."""
+    def within(self, appendix: Appendix) -> Iterator[None]:
+        """A piece that is written within stands in the appendix: its sections, tables, figures and formulas are
+        numbered by its letter, and what it explains is explained in the text again."""
         explained = self._explained
-        if all(one.place != place for one in self.appended):
-            self.appended.append(Section(place, title, 1, True))
-        self._letter, self._begun, self._explained = place, False, self._explained_there | explained
+        self._appendix, self._raised, self._explained = appendix, None, self._explained_there | explained
         try:
             yield
         finally:
             self._explained_there |= self._explained
-            self._letter, self._explained = None, explained
+            self._appendix, self._explained = None, explained
 
     def unnumbered(self, title: str, label: str) -> Place:
         """A chapter without a number, as conclusions and references are."""
@@ -104,8 +116,9 @@ class Numbering:
 
     def take(self, kind: str, label: str = "") -> Place:
         """The next number of a kind: "figure", "table", "formula"."""
-        if self._letter:
-            number = f"{self._letter.number}.{self._next((kind, self._letter))}"
+        if self._appendix:
+            letter = self._appendix.head.place.number
+            number = f"{letter}.{self._next((kind, letter))}"
         elif kind != "formula":
             number = str(self._next(kind))
         else:
@@ -114,10 +127,10 @@ class Numbering:
         return self._keep(label, Place(number, self._anchor(kind, number)))
 
     def _anchor(self, kind: str, number: str) -> str:
-        """Of plain letters, whatever the letter of an appendix."""
-        if self._letter is None:
+        if self._appendix is None:
             return f"{kind}{number}"
-        return f"{kind}-{self._letter.anchor}{number.removeprefix(self._letter.number)}"
+        letter, anchor = self._appendix.head.place
+        return f"{kind}-{anchor}{number.removeprefix(letter)}"
 
     def place(self, label: str) -> Place:
         """The place of a label; of one that comes later, marks that stand for it until `resolved`."""
@@ -137,21 +150,18 @@ class Numbering:
     def resolved(self, text: str, whole: bool = True) -> str:
         """The rendered text with the numbers and anchors of what came later in place of their marks. Of a note that is
         not `whole` the sentences go that refer to what was left out of it."""
+        missing = {label: place for label, place in self._awaited.items() if label not in self.places}
 
-        def kept(sentence: re.Match[str]) -> str:
-            marks = re.findall(rf"{self._secret}x(\d+)[na]", sentence[1])
-            awaited = list(self._awaited)
-            gone = not whole and any(awaited[int(k)] not in self.places for k in marks)
-            return "" if gone else sentence[1]
+        def refers(part: str) -> bool:
+            return any(mark in part for place in missing.values() for mark in place)
 
-        text = re.sub(rf"{self._secret}b(.*?){self._secret}e", kept, text, flags=re.S)
-        names = list(self._awaited)
-        left = (
-            range(len(names)) if whole else {int(k) for k in re.findall(rf"{self._secret}x(\d+)[na]", text)}
-        )
-        if missing := sorted({names[k] for k in left} - self.places.keys()):
-            raise ValueError(f"the templates refer to what is not in the note: {missing}")
-        pairs = [(self._awaited[label], self.places[label]) for label in names if label in self.places]
+        sentence = rf"{self._secret}b(.*?){self._secret}e"
+        text = re.sub(sentence, lambda one: "" if not whole and refers(one[1]) else one[1], text, flags=re.S)
+        if missing and (whole or refers(text)):
+            raise ValueError(f"the templates refer to what is not in the note: {sorted(missing)}")
+        pairs = [
+            (self._awaited[label], self.places[label]) for label in self._awaited.keys() - missing.keys()
+        ]
         marks = {mark: known for place, found in pairs for mark, known in zip(place, found, strict=True)}
         text = re.sub(rf"{self._secret}x\d+[na]", lambda mark: marks[mark[0]], text)
         return re.sub(r"<p>\s*</p>\n?", "", text)

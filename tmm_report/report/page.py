@@ -31,10 +31,11 @@ from tmm_report.quantity.written import Equation, explained
 from tmm_report.report import diagrams
 from tmm_report.report.bytecode import bytecode_cache
 from tmm_report.report.formats import Format
-from tmm_report.report.numbering import Numbering, Place
+from tmm_report.report.numbering import Appendix, Numbering
 from tmm_report.report.paper import layout
 from tmm_report.report.paper.layout import Cell, Words
 from tmm_report.report.paper.sheets import percent
+from tmm_report.report.part import WHOLE, Note
 from tmm_report.report.sources import SOURCES
 from tmm_report.report.symbol_list import SymbolList
 from tmm_report.resources import data_root
@@ -113,10 +114,10 @@ def _indexed(value: Any) -> Any:
 class Page:
     """What templates call: text, mathematics and numbers in one format and one language."""
 
-    def __init__(self, form: Format, tr: Translator, numbering: Numbering, stand: Callable[[str], str] = str):
-        """`stand`: where a piece of the note stands, by its name: `body`, `appendix` or `omit`."""
-        self.form, self.tr, self.numbering, self.stand = form, tr, numbering, stand
-        self.appendices: dict[Place, tuple[str, list[Markup]]] = {}  # title of the chapter, pieces
+    def __init__(self, form: Format, tr: Translator, numbering: Numbering, note: Note = WHOLE):
+        """`note`: how much the note says."""
+        self.form, self.tr, self.numbering, self.note = form, tr, numbering, note
+        self.appendices: list[Appendix] = []
         self.symbols = SymbolList()
         self.cited: list[str] = []
         self._made: dict[tuple[Any, ...], Any] = {}
@@ -129,18 +130,19 @@ class Page:
         return self._made[key]
 
     def laid(self, piece: str, write: Callable[[], Markup]) -> Markup:
-        """A piece where it stands: here, among the appendices, one a chapter, or nowhere."""
-        where = self.stand(piece) if piece else "body"
+        """A piece where it stands: here, among the appendices, one a chapter, or nowhere; "" stands always here."""
+        where = self.note.stand(piece) if piece else "body"
         if where != "appendix":
             return Markup("") if where == "omit" else write()
-        chapter = self.numbering.chapters[-1]
-        place = next((at for at, (title, _) in self.appendices.items() if title == chapter.title), None)
-        if place is None:
-            number = len(self.appendices)
-            place = Place(self.tr.letters[number], f"appendix{number + 1}")
-            self.appendices[place] = chapter.title, []
-        with self.numbering.appendix(place, chapter.title):
-            self.appendices[place][1].append(self.form.apart(write))
+        title, number = self.numbering.chapters[-1].title, len(self.appendices)
+        known = (one for one in self.appendices if one.head.title == title)
+        appendix = next(known, None) or Appendix.of(self.tr.letters[number], number + 1, title)
+        with self.numbering.within(appendix):
+            text = self.form.apart(write)
+        if text.strip():  # nothing where this variant has nothing of it
+            if not appendix.pieces:
+                self.appendices.append(appendix)
+            appendix.pieces.append(text)
         return Markup("")
 
     def text(self, value: Any) -> Markup:

@@ -39,6 +39,18 @@ class Note(Protocol):
         """Where a piece stands: `body`, `appendix` or `omit`."""
 
 
+class Whole:
+    """A note that says all."""
+
+    listed = whole = True
+
+    def stand(self, piece: str) -> str:
+        return "body"
+
+
+WHOLE = Whole()
+
+
 class Part(NamedTuple):
     """`template`: of templates/chapters, without ".j2"; several parts may print one view.
 

@@ -35,10 +35,12 @@ class Note:
 
     def stand(self, piece: str) -> Stand:
         """Where a piece of the note stands: what is stated of itself, else of its chapter, else by the depth."""
+        stated: tuple[tuple[Stand, tuple[str, ...]], ...]
+        stated = ("body", self.body), ("appendix", self.appendix), ("omit", self.omit)
         for name in (piece, piece.split(".")[0]):
-            for stand in ("body", "appendix", "omit"):
-                if name in getattr(self, stand):
-                    return stand  # type: ignore[return-value]
+            for stand, names in stated:
+                if name in names:
+                    return stand
         return "body" if self.depth == "full" else getattr(PIECES[piece], self.depth)
 
     @property

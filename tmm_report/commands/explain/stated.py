@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import contextlib
-import math
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from tmm_report import yamlread
 from tmm_report.mechanics.lever.stated_masses import PerLength, letters
-from tmm_report.quantity.units import DIMENSIONS, WrongValue, parse
+from tmm_report.quantity.units import DIMENSIONS, UNITS, WrongValue, parse
 from tmm_report.variant import closed
 
 SAME = 1e-9  # relative difference below which a number is the one written
@@ -37,7 +36,7 @@ def stated(file: Path) -> list[tuple[Written, set[float]]]:
 
 def written(values: list[tuple[Written, set[float]]], numbers: list[float], unit: str) -> list[Written]:
     """Those of the values that are one of the numbers, which are in `unit`."""
-    si = {"deg": math.pi / 180, "%": 1 / 100, "rpm": math.pi / 30, "MPa": 1e6}.get(unit, 1.0)
+    si, _ = UNITS.get(unit, (1.0, None))
     wanted = {x * si for x in numbers if x}
     return [
         one
