@@ -22,6 +22,7 @@ from tmm_report.figures.drawing import Path, Text, svg, tikz
 from tmm_report.figures.lettering import Symbol, width
 from tmm_report.i18n import Translator
 from tmm_report.quantity.paper import ROUND
+from tmm_report.report.diagrams import CycleGraphs
 from tmm_report.report.diagrams import scales as scales_of
 
 X = np.linspace(0, 360, 37)
@@ -287,3 +288,14 @@ def test_the_lines_that_join_extremes_are_broken_at_values():
             left < start.real < right and start.imag < (foot + top) / 2 < end.imag
             for left, foot, right, top in values_of(made)
         )
+
+
+@pytest.mark.parametrize("size", [1.0, 1e-9, 123456.0])
+@pytest.mark.parametrize("extent", [90, 180, 360, 720, 1440])
+def test_ticks_of_the_angle_stand_apart_whatever_room_the_figures_leave(extent, size):
+    """Wide figures beside the axis leave a shorter one: fewer ticks stand on it."""
+    turned = np.radians(np.linspace(0, extent, 37))
+    graphs = CycleGraphs(turned, 0, Translator("en"))
+    made = graphs.graph([Curve(size * np.sin(turned))], ["y"])
+    assert made.step / made.panels[0].x_scale >= 9.0 - 1e-9
+    assert made.panels[0].right <= 165.0

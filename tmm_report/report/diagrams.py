@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmm_report.figures.charts.axes import PAPER, angle_axis, round_ticks
+from tmm_report.figures.charts.axes import angle_axis, round_ticks
 from tmm_report.figures.charts.graphs import Curve, Graph, Letters, graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.lettering import Label, Parts, lettered
@@ -45,11 +45,10 @@ class CycleGraphs:
         """The axis of the angle is at a round scale, 2.5° to a millimetre of a turn; ticks at 30°, or farther apart."""
         degrees = np.degrees(self.turned)
         extent = float(degrees[-1] - degrees[0])
-        wide = partial(angle_axis, extent)
         angle = self.letter(self.along, "deg")
         return graph(
             curves, degrees, angle, labels,
-            wide=wide, step=_step(APART * extent / wide(PAPER)),
+            wide=partial(angle_axis, extent), step=lambda wide: _step(APART * extent / wide),
             positions=self.positions, comma=self.tr.decimal == ",", join=join,
         )  # fmt: skip
 

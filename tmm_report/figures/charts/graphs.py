@@ -123,8 +123,8 @@ def graph(
     xlabel: Letters,
     ylabels: Sequence[Letters],
     *,
-    wide: float | Callable[[float], float] = float,
-    step: float = 30.0,
+    wide: float | Callable[[float], float] | None = None,
+    step: float | Callable[[float], float] = 30.0,
     positions: int = 0,
     comma: bool = False,
     join: bool = True,
@@ -133,10 +133,10 @@ def graph(
 ) -> Graph:
     """Curves over `x` (P,), ascending, a panel for each of `ylabels`, sharing x; values at round scales.
 
-    `wide`: length of the axis of x, mm, or what it is by the room for it. `step`: of x between ticks; `positions`:
-    how many positions the cycle is numbered with over the top, 0: none; `comma`: decimal comma; `join`: thin lines
-    join the extremes of all panels; `title` is for who cannot see it; `bounds`: of what follows one another along x,
-    numbered by Roman figures: uprights with their x over the top.
+    `wide`: length of the axis of x, mm, or what it is by the room for it; None: all of that. `step`: of x between
+    ticks, or what it is by that length; `positions`: how many positions the cycle is numbered with over the top, 0:
+    none; `comma`: decimal comma; `join`: thin lines join the extremes of all panels; `title` is for who cannot see it;
+    `bounds`: of what follows one another along x, numbered by Roman figures: uprights with their x over the top.
     """
     x, curves = np.asarray(x, float), [curve.settled() for curve in curves]
     names = [_parts(label) for label in ylabels]
@@ -151,13 +151,15 @@ def graph(
     laid = _stacked(bare, axes, heads)
     left = _left(laid, comma)
     laid = [replace(panel, left=left, wide=_wide(wide, left)) for panel in laid]
+    step = step(laid[0].wide) if callable(step) else step
     return Graph(
         curves, x, _parts(xlabel), names, laid, step, positions, comma, join and len(names) > 1, title, bounds
     )
 
 
-def _wide(wide: float | Callable[[float], float], left: float) -> float:
-    return wide(PAPER - left - RIGHT) if callable(wide) else wide
+def _wide(stated: float | Callable[[float], float] | None, left: float) -> float:
+    room = PAPER - left - RIGHT
+    return stated(room) if callable(stated) else room if stated is None else stated
 
 
 def _parts(text: Letters) -> Parts:
