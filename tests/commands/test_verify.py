@@ -51,9 +51,9 @@ def test_a_velocity_wrong_in_the_twelfth_digit_turns_it_red(monkeypatch):
 @pytest.fixture
 def drives_anew():
     """No drive that was solved before is kept, nor one of the test."""
-    stages._all.cache_clear()
+    stages._solved.cache_clear()
     yield
-    stages._all.cache_clear()
+    stages._solved.cache_clear()
 
 
 @pytest.mark.usefixtures("drives_anew")
