@@ -6,6 +6,7 @@ import re
 import pytest
 import yaml
 from conftest import solved
+from notes import render
 
 from tmm_report.chapters.gears.train.draw.routes import Bar, crossings
 from tmm_report.chapters.gears.train.draw.scheme import Scheme
@@ -51,12 +52,27 @@ RING_DRIVES = {
     "meshes": ["1-2", "2-3 internal", "4-5", "5-6 internal"], "joined": [["H", "6"]], "input": "3", "output": "C",
     "fixed": ["1", "4"],
 }  # fmt: skip
+THREE_SETS = {
+    "wheels": {"a": 30, "p": 20, "b": 70, "a'": 24, "q": 30, "b'": 84, "c": 40, "r": 20, "f": 80},
+    "carriers": {"C": "p", "D": "q", "E": "r"}, "joined": [["C", "c"], ["D", "E"]], "input": "a", "output": "b",
+    "meshes": ["a-p", "p-b internal", "a'-q", "q-b' internal", "c-r", "r-f internal"], "fixed": "f",
+}  # fmt: skip
+AXLE_WITH_LOOP = {
+    "wheels": {"1": 20, "2": 40, "3": 100, "1'": 30, "4": 30, "5": 90, "6": 20, "7": 12, "8": 20},
+    "carriers": {"H": ["2", "7"]}, "joined": [["3", "5"]], "input": "1", "output": ["6", "8"],
+    "meshes": ["1-2", "2-3 internal", "1'-4", "4-5 internal", "6-7 bevel", "7-8 bevel"],
+    "speed": "1000 rpm", "speeds": {"6": "-105 rpm"}, "torque": "10 N*m",
+}  # fmt: skip
 SCHEMES = {"closed": CLOSED, "3K": THREE_K, "suns": SUNS, "one crown": ONE_CROWN, "two inputs": TWO_INPUTS}
 
 
-def found(stated, **changes):
+def results(stated, **changes):
     block = {key: value for key, value in {**stated, **changes}.items() if value is not None}
-    return solve(loads(yaml.safe_dump({"language": "en", "train": block}, allow_unicode=True))).train
+    return solve(loads(yaml.safe_dump({"language": "en", "train": block}, allow_unicode=True)))
+
+
+def found(stated, **changes):
+    return results(stated, **changes).train
 
 
 # --- numbers
@@ -165,6 +181,52 @@ def test_rows_that_give_speeds_only_together_are_solved():
     assert of.steps is None and of.speed["C"] == ring and of.speed["6"] == carrier
     assert one - carrier == pytest.approx(-80 / 20 * (ring - carrier))
     assert one - ring == pytest.approx(-76 / 24 * (carrier - ring))
+
+
+def note(of, language="en"):
+    page = render(of, "html", language)["note.html"].decode()
+    return re.sub(r"\s+", " ", re.sub(r"<[^>]+>", " ", page).replace("\N{NO-BREAK SPACE}", " "))
+
+
+def test_of_rows_solved_together_the_note_tells_ratio_and_efficiency():
+    """Three sets of which each has two members of the others: no member's speed gives any other by one row."""
+    solved_ = results(THREE_SETS, efficiency={"external": 0.98, "internal": 0.99}, torque="10 N*m")
+    of = solved_.train
+    assert of.steps is None
+    # a − C = −7/3 (b − C), a − E = −7/2 (b − E), E = C/3; with losses 7/3 and 7/2 by 0.98·0.99, 1/2 times it
+    ratios = []
+    for one, two, three in ((7 / 3, 7 / 2, 0.5), (7 / 3 / 0.9702, 3.5 * 0.9702, 0.5 * 0.9702)):
+        part = three / (1 + three)  # E by C
+        C = (one - two) / (1 + one - (1 + two) * part)
+        ratios.append((1 + one) * C - one)
+    assert [of.ratio, of.force_ratio] == pytest.approx(ratios, rel=1e-12)
+    assert of.efficiency == pytest.approx(ratios[1] / ratios[0])
+    text = note(solved_)
+    assert "The ratio of the train by the speeds of its input and output" in text
+    assert "the rows solved together with them give the ratio of the torques" in text
+    assert "решённые с ними совместно" in note(solved_, "ru")
+
+
+@pytest.mark.parametrize("stated", [THREE_SETS, AXLE_WITH_LOOP], ids=["one output", "two outputs"])
+def test_power_that_comes_back_through_a_branch_circulates(stated):
+    """Whatever ends the train has: a share below nought, and the power that it is of."""
+    solved_ = results(stated, torque="10 N*m")
+    of = solved_.train
+    shares = [row["share"].value for row in whole(of).branches.values()]
+    assert min(shares) < 0 and max(shares) > 1
+    text = note(solved_)
+    assert "All branches go one way" not in text and "circulates in the closed loop" in text
+    supplied = float(of.flow.loads.supplied)
+    assert whole(of).s["P_circulating"].value == pytest.approx(-min(shares) * supplied)
+    assert "All branches go one way" in note(results(CLOSED))
+
+
+def test_one_satellite_has_no_neighbours():
+    of = found(PLAIN, satellites=1)
+    assert of.sound and not of.conditions.neighbours and of.conditions.k == 1
+    ranges = {"1": [17, 24], "2": [20, 40], "3": [60, 100]}
+    alone = found(PLAIN, wheels=ranges, find={"ratio": 5, "tolerance": "1 %"}, satellites=1)
+    assert alone.sound and alone.sought.satellites == (1,)
 
 
 # --- pictures

@@ -2,7 +2,7 @@
 
 import pytest
 from conftest import solved
-from test_train import AXLE, CHAIN, SCHEMES, found
+from test_train import AXLE, AXLE_WITH_LOOP, CHAIN, SCHEMES, THREE_SETS, found
 from twice import disagreements
 
 from tmm_report.chapters.gears.train.steps import whole
@@ -61,7 +61,11 @@ def test_every_formula_of_a_train_with_one_output(name, rope):
     assert told(found(SCHEMES[name], efficiency=LOSSES, rope=rope)) == []
 
 
-@pytest.mark.parametrize("stated", [AXLE, CHAIN, SCHEMES["two inputs"]], ids=["axle", "chain", "two inputs"])
+OTHERS = {"axle": AXLE, "chain": CHAIN, "two inputs": SCHEMES["two inputs"], "three sets": THREE_SETS}
+OTHERS["axle with a loop"] = AXLE_WITH_LOOP
+
+
+@pytest.mark.parametrize("stated", OTHERS.values(), ids=list(OTHERS))
 def test_every_formula_of_other_trains(stated):
     assert told(found(stated, efficiency=LOSSES)) == []
 

@@ -171,10 +171,6 @@ class Numbers:
         near = max(0, math.ceil(-math.log10(max(abs(1 - number), 1e-9))))
         return self.row(row)["u"].var(digits=6 + near)
 
-    def name_of(self, body: str) -> str:
-        """What a body is called in formulas: its shaft's name."""
-        return body
-
     def _steps(self) -> None:
         """Ratios to the output, then the ratio of the train; or the speeds one after another."""
         found = self.found
@@ -197,9 +193,14 @@ class Numbers:
         return row.omega
 
     def _all_given(self) -> None:
+        """All speeds as they are solved together; the ratio by those of both ends."""
+        found = self.found
         for body in self.train.bodies:
-            if not self.found.built.tilted(body):
+            if not found.built.tilted(body):
                 self._speed(body, None)
+        if found.single and found.runs:
+            one, other = (self.members[found.built.body(name)] for name in (found.input, found.output))
+            self.s.u = Computed(one.omega / other.omega, found.ratio)
 
     def _ratios(self, steps: Sequence[Step]) -> None:
         """All speeds are in proportion: u of every body to the basis, the ratio of the train by them."""
@@ -336,6 +337,8 @@ class Numbers:
         s, found = self.s, self.found
         loads = found.flow.loads
         s.P_lost = found.flow.lost
+        ends = (*found.given.input, *found.given.output)
+        s.P_circulating = max(found.flow.circulating(found.built.body(name)) for name in ends) or None
         if not found.single or not found.runs:
             s.P_supplied, s.P_taken = loads.supplied, loads.supplied - found.flow.lost
             supplied = found.flow.supplied
@@ -368,10 +371,6 @@ class Numbers:
             s.T_out = Computed(-ratio * s.T_in, other)
         s.P_in = Computed(s.T_in * omega_in / 1000, float(loads.power[found.input]))
         s.P_out = Computed(-s.T_out * omega_out / 1000, -float(loads.power[found.output]))
-        circulating = max(
-            found.flow.circulating(found.built.body(name)) for name in (found.input, found.output)
-        )
-        s.P_circulating = circulating or None
 
     def _against(self, size: Expr) -> Expr:
         return -size if self.found.speed[self.found.output] > 0 else size

@@ -136,10 +136,10 @@ class Crowd:
 def crowds(train: Train, flat: Sequence[bool]) -> tuple[Crowd, ...]:
     """Of every axis of satellites that meshes with a central wheel, its axes parallel to the main one."""
     carried = satellites(train)
+    of = axes(train)
     found = []
     for body, carrier in carried.items():
         crowns = tuple(m.name for m in train.members if m.body == body)
-        of = axes(train)
         for k, mesh in enumerate(train.meshes):
             ends = (mesh.i, mesh.j)
             central = [end for end in ends if body_of(train, end) not in carried]
@@ -152,10 +152,12 @@ def crowds(train: Train, flat: Sequence[bool]) -> tuple[Crowd, ...]:
 def gap(
     train: Train, crowd: Crowd, teeth: Mapping[str, Array], module: Mapping[str, float], k: Array
 ) -> Array:
-    """Free space between the tips of neighbours, (...): 2 a_w sin(π/k) − d_a of the largest crown, without shift."""
+    """Free space between the tips of neighbours, (...): 2 a_w sin(π/k) − d_a of the largest crown, without shift; inf
+    of one satellite, which has none."""
     own = module[train.meshes[crowd.mesh].i]
     tips = [module[name] * (teeth[name] + 2 * TIP) for name in crowd.crowns]
-    return twice_distance(train, crowd.mesh, teeth, own) * np.sin(np.pi / k) - reduce(np.maximum, tips)
+    free = twice_distance(train, crowd.mesh, teeth, own) * np.sin(np.pi / k) - reduce(np.maximum, tips)
+    return np.where(np.equal(k, 1), np.inf, free)
 
 
 def least_ring(z: Array) -> Array:

@@ -106,6 +106,7 @@ def judged(built: Built, rows: Sequence[Row], satellites: Sequence[int]) -> Cond
             Neighbours(crowd, k, float(c.gap(train, crowd, teeth, module, k)))
             for crowd in c.crowds(train, flat)
             for k in numbers
+            if k > 1
         ),
         len(satellites) == 1,
     )

@@ -240,8 +240,7 @@ class TrainView(TrainTables):
             yield self.t("The inputs and outputs of the gear train turn at %(speeds)s.", speeds=speeds)
             if found.lossy and "eta" in self.s:
                 yield self.t("Its efficiency is %(eta)s.", eta=self.number("eta", digits=4))
-        if circulating := self.s.get("P_circulating"):
-            del circulating
+        if self.knows("P_circulating"):
             yield self.t(
                 "Power of %(power)s circulates in the closed loop.",
                 power=self.measured("P_circulating", digits=4),
