@@ -328,6 +328,11 @@ SLIPS = [
     ({"cases": [{"7": "900 rpm"}]}, "no member 7"),
     ({"speed": "0 rpm", "power": "2 kW"}, "stands still and has no power"),
     ({"wheels": {"1": [6, 900], "2": [6, 900], "3": [6, 900], }, "find": {"ratio": 0}}, "a ratio of 0"),
+    ({"speeds": {"1": "800 rpm"}}, "speed of member 1 is stated twice, by speeds and by speed"),
+    ({"speeds": {"3": "20 rpm"}}, "speed of member 3 is stated twice, by speeds and by fixed"),
+    ({"modules": {"1": "2 mm", "2": "3 mm", "3": "3 mm"}}, "modules of 2 and 3 mm"),
+    ({"module": "2 mm", "modules": {"3": "3 mm"}}, "mesh 2-3 have modules of 2 and 3 mm"),
+    ({"modules": {"1": "2 mm", "2": "2 mm"}}, "wheel 2 has a module, and its mate 3 has none"),
 ]  # fmt: skip
 PLAIN = {
     "wheels": {"1": 20, "2": 30, "3": 80}, "carriers": {"H": "2"}, "meshes": ["1-2", "2-3 internal"], "input": "1",
@@ -341,6 +346,18 @@ def test_a_mistake_is_told_with_its_cure(change, said):
         found(PLAIN, **change)
     assert re.search(said, str(raised.value))
     assert all(problem.path[0] == "train" for problem in raised.value.problems)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"speed": "3000 rpm"}, "2 degrees of freedom, and 3 speeds"),
+        ({"speeds": {"5": "300 rpm"}}, "speed of member 5 is stated twice, by speeds and by road"),
+    ],
+)
+def test_nothing_is_stated_beside_a_road_that_the_road_says(change, said):
+    with pytest.raises(ProblemError, match=said):
+        found(AXLE, **change)
 
 
 def test_too_many_combinations_are_refused_before_any_is_tried():

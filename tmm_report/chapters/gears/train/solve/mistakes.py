@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import math
+from collections.abc import Iterator
 
 from tmm_report.chapters.gears.train.given import LOADS, GearTrain, Pair
 from tmm_report.chapters.gears.train.solve.built import build, carried, shafts
@@ -15,7 +16,14 @@ HERE = "train"
 
 def mistakes_of(given: GearTrain) -> Iterator[Problem]:
     """All of them; what cannot be judged while names are wrong is left for later."""
-    wrong = [*_names(given), *_carriers(given), *_meshes(given), *_loads(given), *_roads(given)]
+    wrong = [
+        *_names(given),
+        *_carriers(given),
+        *_meshes(given),
+        *_loads(given),
+        *_roads(given),
+        *_twice(given),
+    ]
     yield from wrong
     if not wrong:
         yield from _speeds(given)
@@ -98,11 +106,35 @@ def _meshes(given: GearTrain) -> Iterator[Problem]:
             wrong = N_("the ring %(ring)s has no more teeth than wheel %(wheel)s inside it")
             right = Message(N_("the ring second, with more teeth"))
             yield mistake(wrong, path, right, ring=pair.j, wheel=pair.i)
+    yield from _modules(given)
     meshed = {name for pair in given.meshes for name in pair[:2]}
     for name in given.wheels:
         if name not in meshed:
             right = Message(N_("its mesh in meshes, or leave the wheel out"))
             yield mistake(N_("wheel %(name)s meshes with nothing"), (HERE, "wheels", name), right, name=name)
+
+
+def _modules(given: GearTrain) -> Iterator[Problem]:
+    """Wheels in mesh of two modules, or one of them without."""
+    for pair in given.meshes:
+        ends = pair[:2]
+        named = next((name for name in ends if name in given.modules), None)
+        if named is None:
+            continue
+        path: Path = (HERE, "modules", named)
+        one, other = (given.modules.get(name, given.module) for name in ends)
+        if one is None or other is None:
+            wrong, mate = (
+                N_("wheel %(wheel)s has a module, and its mate %(mate)s has none"),
+                ends[ends[0] == named],
+            )
+            yield mistake(
+                wrong, path, Message(N_("modules of both, or module of all")), wheel=named, mate=mate
+            )
+        elif not math.isclose(one, other, rel_tol=1e-9):
+            wrong = N_("the wheels of the mesh %(mesh)s have modules of %(one)s and %(other)s mm")
+            values = {"mesh": pair.name, "one": f"{1e3 * one:.4g}", "other": f"{1e3 * other:.4g}"}
+            yield mistake(wrong, path, Message(N_("one module of both wheels in mesh")), **values)
 
 
 def _one_shaft(given: GearTrain, pair: Pair) -> bool:
@@ -140,6 +172,20 @@ def _roads(given: GearTrain) -> Iterator[Problem]:
     if road and road.radius is not None and road.track >= 2 * road.radius:
         right = Message(N_("a radius of more than half the track"))
         yield mistake(N_("the curve turns about a point between the wheels"), (HERE, "road", "radius"), right)
+
+
+def _twice(given: GearTrain) -> Iterator[Problem]:
+    """Speeds of one member in two places, of which one would be passed over."""
+    elsewhere = dict.fromkeys(given.fixed, "fixed")
+    if given.road is not None:
+        elsewhere |= dict.fromkeys(given.output, "road")
+    if given.speed is not None:
+        elsewhere |= dict.fromkeys(given.input[:1], "speed")
+    for name in given.speeds:
+        if name in elsewhere:
+            wrong = N_("the speed of member %(name)s is stated twice, by speeds and by %(key)s")
+            right = Message(N_("leave out one of the two"))
+            yield mistake(wrong, (HERE, "speeds", name), right, name=name, key=elsewhere[name])
 
 
 def _speeds(given: GearTrain) -> Iterator[Problem]:
@@ -183,10 +229,9 @@ def _joins_outputs(given: GearTrain) -> bool:
 
 def known_names(given: GearTrain) -> list[str]:
     """Of the members whose speeds are stated."""
-    found: list[str] = [*given.fixed, *given.speeds]
-    if given.road is not None:
-        found += given.output
-    elif given.speed is not None or not given.speeds or _only_second(given):
+    road = given.output if given.road is not None else ()
+    found: list[str] = [*given.fixed, *given.speeds, *road]
+    if given.speed is not None or (not road and (not given.speeds or _only_second(given))):
         found.append(given.input[0])
     return list(dict.fromkeys(found))
 
@@ -207,14 +252,13 @@ def _sought(given: GearTrain) -> Iterator[Problem]:
     if given.find is not None and not given.sought:
         right = Message(N_("teeth of some wheels as [20, 60], or no find"))
         yield mistake(N_("all the teeth are stated, and nothing is left to find"), (HERE, "find"), right)
-    single = _single(given)
-    if given.find is not None and not single:
+    if given.find is not None and not single(given):
         right = Message(N_("one input and one output, the others fixed"))
         yield mistake(N_("teeth are sought of a train with one input and one output"), (HERE, "find"), right)
 
 
-def _single(given: GearTrain) -> bool:
-    one: Iterable[int] = (len(given.input), len(given.output))
-    return all(count == 1 for count in one) and not any(
-        given.speeds.get(name) for name in given.speeds if name not in (*given.input, *given.output)
-    )
+def single(given: GearTrain) -> bool:
+    """Whether one member is driven, one gives power, and no other is stated to turn."""
+    of, ends = shafts(given), (*given.input, *given.output)
+    others = [speed for name, speed in given.speeds.items() if of[name] not in {of[end] for end in ends}]
+    return len(ends) == 2 and not any(others)

@@ -16,7 +16,7 @@ from typing import Any
 from tmm_report.chapters.gears.train.given import GearTrain
 from tmm_report.chapters.gears.train.solve.built import Built, build
 from tmm_report.chapters.gears.train.solve.conditions import Conditions, judged
-from tmm_report.chapters.gears.train.solve.mistakes import known_names
+from tmm_report.chapters.gears.train.solve.mistakes import known_names, single
 from tmm_report.chapters.gears.train.solve.places import Places, placed
 from tmm_report.chapters.gears.train.solve.plans import Plans, plans_of
 from tmm_report.chapters.gears.train.solve.sought import Sought, find
@@ -79,14 +79,7 @@ class Found:
     @property
     def single(self) -> bool:
         """Whether one member is driven, one gives power, and all the others that are known stand still."""
-        one = len(self.given.input) == len(self.given.output) == 1
-        return one and self.still == {self.built.body(name) for name in self.known_others}
-
-    @property
-    def known_others(self) -> list[str]:
-        """Members of stated speed beside the input and the output."""
-        ends = {self.built.body(name) for name in (self.input, self.output)}
-        return [name for name in known_names(self.given) if self.built.body(name) not in ends]
+        return single(self.given)
 
     @cached_property
     def still(self) -> set[str]:
@@ -207,7 +200,7 @@ def stated_speeds(given: Given, built: Built) -> dict[str, float]:
     if (road := given.road) is not None:
         one = 2 * road.speed / road.wheel
         share = road.track / (2 * road.radius) if road.radius else 0.0
-        return found | {given.output[0]: one * (1 + share), given.output[1]: one * (1 - share)}
+        found |= {given.output[0]: one * (1 + share), given.output[1]: one * (1 - share)}
     if given.input[0] in known_names(given) and given.input[0] not in found:
         found[given.input[0]] = UNIT_SPEED if given.speed is None else given.speed
     return found
@@ -235,7 +228,7 @@ def _plan(
     known = {built.body(name) for name in known_names(built.given)}
     still = {body for body in known if not speed[_member(built, body)]}
     ends = [built.body(name) for name in (built.outputs[0], built.inputs[0])]
-    if known - still <= set(ends) and len(built.outputs) == len(built.inputs) == 1:
+    if single(built.given):
         others = [body for row in rows for body in row.bodies]
         for basis in dict.fromkeys([*ends, *others]):
             if basis in still or not speed[_member(built, basis)]:
@@ -271,7 +264,7 @@ def _efficiencies(given: Given, sought: Sought) -> Iterator[float]:
     for row in range(len(sought.candidates.ratio)):
         built = build(given, sought.candidates.set(row))
         speed = turned(built, stated_speeds(given, built))
-        *_, found = _flows(given, built, speed, ())
+        found = _flow(given, built, built.train, speed)
         yield 0.0 if bool(found.loads.locks(given.output[0])) else float(found.loads.efficiency)
 
 
@@ -279,26 +272,28 @@ def _flows(
     given: Given, built: Built, speed: Mapping[str, float], rows: tuple[Row, ...]
 ) -> tuple[Flow, Flow, Flow]:
     """Without losses, with those of the meshes, with the locking factor besides."""
-    name, torque = _load(given, speed)
-    sought = [one for one in dict.fromkeys(built.outer) if built.body(one) != built.body(name)]
-    train = built.train
-    shut = train
+    train = shut = built.train
     if given.locking is not None:
         ends = {built.body(one) for one in given.output}
         row = next(row for row in rows if row.carrier and {row.a, row.b} == ends)
         shut = locked(train, row, given.locking)
-        free = {link.mesh for link in row.links}
+        inside = {link.mesh for link in row.links}
         meshes = tuple(
-            replace(mesh, efficiency=1.0) if k in free else mesh for k, mesh in enumerate(train.meshes)
+            replace(mesh, efficiency=1.0) if k in inside else mesh for k, mesh in enumerate(train.meshes)
         )
         train = Train(train.members, meshes)
-    found = (flow(of, speed, {name: torque}, sought, HERE) for of in (without_losses(train), train, shut))
-    ideal, free_flow, whole = found
-    if not bool(whole.loads.settled):
-        raise ProblemError(
-            [mistake(N_("the torques of the train are not determined by equilibrium"), ("train",))]
-        )
-    return ideal, free_flow, whole
+    whole = _flow(given, built, shut, speed)
+    free = whole if train is shut else _flow(given, built, train, speed)
+    return _flow(given, built, without_losses(train), speed), free, whole
+
+
+def _flow(given: Given, built: Built, train: Train, speed: Mapping[str, float]) -> Flow:
+    name, torque = _load(given, speed)
+    sought = [one for one in dict.fromkeys(built.outer) if built.body(one) != built.body(name)]
+    found = flow(train, speed, {name: torque}, sought, HERE)
+    if not bool(found.loads.settled):
+        raise ProblemError([mistake(N_("the torques of the train are not determined by equilibrium"), HERE)])
+    return found
 
 
 def _load(given: Given, speed: Mapping[str, float]) -> tuple[str, float]:
@@ -329,13 +324,8 @@ def _load(given: Given, speed: Mapping[str, float]) -> tuple[str, float]:
 
 def _back(given: Given, built: Built, train: Train, speed: Mapping[str, float]) -> float | None:
     """Of a train with one input and one output and with losses."""
-    several = (
-        len(given.input) > 1
-        or len(given.output) > 1
-        or any(given.speeds.get(name) for name in given.speeds if name not in (*given.input, *given.output))
-    )
     lossless = all(mesh.efficiency == 1 for mesh in train.meshes)
-    if several or lossless or not speed[given.output[0]] or not speed[given.input[0]]:
+    if not single(given) or lossless or not speed[given.output[0]] or not speed[given.input[0]]:
         return None
     return backwards(train, speed, given.output[0], (*given.fixed, given.input[0]))
 
