@@ -50,7 +50,7 @@ def problems(
     owned: Mapping[Path, Sequence[str]] = {}
     if any(one["type"] == "extra_forbidden" for one in found):
         owned = {leaf.path: leaf.known for leaf in leaves([kind], data) if leaf.known}
-    found = [one for one in found if not _is_misspelt(one, found)]
+    found = [one for one in found if not (_is_misspelt(one, found) or _is_long_enough(one))]
     # nobody reads a thousand suggestions, and each takes time to find
     return [_problem(one, data, owned if n < WORDED else {}, roots, stated) for n, one in enumerate(found)]
 
@@ -66,6 +66,11 @@ def _is_misspelt(error: Any, found: Sequence[Any]) -> bool:
     unknown = [str(one["loc"][-1]) for one in beside if one["type"] == "extra_forbidden"]
     by_other_name = any(key in (english_key(one, [key]), synonyms.meant(one, [key])) for one in unknown)
     return by_other_name or bool(difflib.get_close_matches(key, unknown, 1, CLOSE))
+
+
+def _is_long_enough(error: Any) -> bool:
+    """Whether a list falls short by items alone that are wrong themselves."""
+    return error["type"] == "too_short" and len(error["input"]) >= error["ctx"]["min_length"]
 
 
 def near(word: str, known: Sequence[str]) -> Message | None:

@@ -137,6 +137,7 @@ def test_the_note_says_how_sliding_is_counted_and_what_is_not_there():
 SLIPS = {
     "x1: [0.3, 0.5, 0.4]": ("x1.2", "from the least to the greatest"),
     "x1: [0.3]": ("x1", "too few values"),
+    "x1: [0.3, 7]": ("x1.1", "out of range"),
     "x1: 0.3": ("x1", "[0.3, 0.4, 0.5, 0.6, 0.7]"),
     "x1: [0.3, 2.9]": ("x1.1", "from -"),
     "centre_distances: [75 mm, 99 mm]": ("centre_distances.1", "from 69.856 to 84.286 mm"),
@@ -155,6 +156,20 @@ def test_slips_are_told_at_their_place(slip):
     with pytest.raises(ProblemError) as told:
         course.solve(course.loads(TEXT.format(f"{PAIR}, quality: {{{slip}}}")))
     assert f"quality.{place}:" in str(told.value) and text in str(told.value)
+
+
+def test_a_wrong_number_of_a_list_does_not_make_it_short():
+    with pytest.raises(ProblemError) as told:
+        course.loads(TEXT.format(f"{PAIR}, quality: {{x1: [0.3, 7]}}"))
+    assert [problem.key for problem in told.value.problems] == ["drive.stages.0.quality.x1.1"]
+
+
+def test_all_that_is_asked_of_a_pair_is_judged_at_once():
+    asked = "inspection: {span: [40, 2]}, backlash: {tolerance: 0.05 mm}, quality: {x1: [0.3, 2.9]}"
+    with pytest.raises(ProblemError) as told:
+        course.solve(course.loads(TEXT.format(f"{PAIR}, {asked}")))
+    keys = [problem.key.removeprefix("drive.stages.0.") for problem in told.value.problems]
+    assert keys == ["inspection.span.0", "backlash.tolerance", "quality.x1.1"]
 
 
 def test_a_free_pair_has_its_quality_too():

@@ -15,7 +15,7 @@ from tmm_report.chapters.gears.spur.solve.inspection import Measured
 from tmm_report.mechanics.gears.backlash import Loose, closest, thinning_for
 from tmm_report.mechanics.gears.inspection import Gauged
 from tmm_report.mechanics.gears.meshing import Pair
-from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.records import dataclass
 
 Both = tuple[float, float]
@@ -141,10 +141,10 @@ def _thicknesses(stated: Backlash, pair: Pair, both: Both | None) -> Both | None
 # ---------------------------------------------------------------- what may be wrong
 
 
-def check_backlash(given: Given, pair: Pair) -> None:
-    """Raises ProblemError where the block states nothing, or more than the teeth can lose."""
-    if given.backlash is not None and (problems := list(_wrong(given, given.backlash, pair))):
-        raise ProblemError(problems)
+def mistakes_of(given: Given, pair: Pair) -> Iterator[Problem]:
+    """Where the block states nothing, or more than the teeth can lose."""
+    if given.backlash is not None:
+        yield from _wrong(given, given.backlash, pair)
 
 
 def _wrong(given: Given, stated: Backlash, pair: Pair) -> Iterator[Problem]:

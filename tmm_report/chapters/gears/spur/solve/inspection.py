@@ -12,7 +12,7 @@ import numpy as np
 from tmm_report.chapters.gears.spur.given import Given, Inspection
 from tmm_report.mechanics.gears.inspection import Gauged
 from tmm_report.mechanics.gears.meshing import Pair
-from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.records import dataclass
 
 Array = Any
@@ -108,14 +108,11 @@ def measured(given: Given, pair: Pair) -> tuple[Measured, Measured]:
     return one, two
 
 
-def check_inspection(given: Given, pair: Pair) -> None:
-    """Raises ProblemError with all that is stated and does not fit the teeth, and what would."""
-    if given.inspection is None:
-        return
-    if problems := [
-        problem for of in measured(given, pair) for problem in _wrong(given, given.inspection, of)
-    ]:
-        raise ProblemError(problems)
+def mistakes_of(given: Given, pair: Pair) -> Iterator[Problem]:
+    """All that is stated and does not fit the teeth, and what would."""
+    if given.inspection is not None:
+        for of in measured(given, pair):
+            yield from _wrong(given, given.inspection, of)
 
 
 def _wrong(given: Given, stated: Inspection, of: Measured) -> Iterator[Problem]:

@@ -10,11 +10,11 @@ from dataclasses import replace
 from functools import cached_property
 
 from tmm_report.chapters.gears.spur.given import EQUAL, Given
-from tmm_report.chapters.gears.spur.solve import backlash, quality
+from tmm_report.chapters.gears.spur.solve import backlash, inspection, quality
 from tmm_report.chapters.gears.spur.solve.conditions import BY_ASSEMBLY, conditions_of
 from tmm_report.chapters.gears.spur.solve.contour import Contour, contour_of
 from tmm_report.chapters.gears.spur.solve.cutter import Cut, cutters_of
-from tmm_report.chapters.gears.spur.solve.inspection import Measured, check_inspection, measured
+from tmm_report.chapters.gears.spur.solve.inspection import Measured, measured
 from tmm_report.chapters.gears.spur.solve.mesh import Mesh, Proof, round_scale
 from tmm_report.chapters.gears.spur.solve.mistakes import check, check_pair, check_teeth
 from tmm_report.chapters.gears.spur.solve.motion import WIDEST, Motion, motion_of, sliding_limit
@@ -27,7 +27,7 @@ from tmm_report.mechanics.gears import meshing, shift_sharing, trains
 from tmm_report.mechanics.gears.involute import inv
 from tmm_report.mechanics.gears.limits.condition import Condition
 from tmm_report.mechanics.gears.meshing import Pair, Rack
-from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.problems import N_, Message, Problem, ProblemError, doubt
 from tmm_report.records import dataclass
 
 __all__ = ["EQUAL", "Condition", "Found", "Given", "Rack", "solve"]
@@ -278,6 +278,17 @@ class Found:
         return self.mesh.proof
 
 
+def check_asked(given: Given, chosen: Teeth, pair: Pair) -> None:
+    """Raises ProblemError with all that is asked of the pair and does not suit it."""
+    problems = [
+        *inspection.mistakes_of(given, pair),
+        *backlash.mistakes_of(given, pair),
+        *quality.mistakes_of(given, chosen, pair),
+    ]
+    if problems:
+        raise ProblemError(problems)
+
+
 def solve(given: Given) -> Found:
     """Raises ProblemError with every mistake and what would work."""
     check(given)
@@ -285,9 +296,7 @@ def solve(given: Given) -> Found:
     check_teeth(given, chosen)
     pair = choose_shifts(given, chosen)
     check_pair(given, pair)
-    check_inspection(given, pair)
-    backlash.check_backlash(given, pair)
-    quality.check_quality(given, chosen, pair)
+    check_asked(given, chosen, pair)
     path = path_of(pair)
     limit = given.sliding_limit or WIDEST
     conditions = tuple(conditions_of(pair, given.wheels, limit))

@@ -18,7 +18,7 @@ from tmm_report.mechanics.gears.limits.pair import unknown
 from tmm_report.mechanics.gears.meshing import Pair
 from tmm_report.mechanics.gears.quality import Allowed, allowed, specific_pressure
 from tmm_report.mechanics.gears.shift_sharing import equal_sliding, with_first_shift
-from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.records import dataclass
 
 Array = Any
@@ -161,10 +161,10 @@ def _over(given: Given, teeth: Teeth, distances: Array) -> Pair:
 # ---------------------------------------------------------------- what may be wrong
 
 
-def check_quality(given: Given, teeth: Teeth, pair: Pair) -> None:
-    """Raises ProblemError with every shift and centre distance at which there are no such wheels."""
-    if given.quality is not None and (problems := list(_wrong(given, given.quality, teeth, pair))):
-        raise ProblemError(problems)
+def mistakes_of(given: Given, teeth: Teeth, pair: Pair) -> Iterator[Problem]:
+    """Every shift and centre distance at which there are no such wheels."""
+    if given.quality is not None:
+        yield from _wrong(given, given.quality, teeth, pair)
 
 
 def _wrong(given: Given, asked: Quality, teeth: Teeth, pair: Pair) -> Iterator[Problem]:
