@@ -47,8 +47,7 @@ class Loose:
     def normal(self) -> float:
         """j_n, along the line of action in the normal section."""
         p = self.moved
-        beta_b = np.arcsin(np.sin(p.beta) * np.cos(p.rack.alpha))
-        return float(self.circumferential * np.cos(p.alpha_w) * np.cos(beta_b))
+        return float(self.circumferential * np.cos(p.alpha_w) * np.cos(p.beta_b))
 
     @property
     def turns(self) -> tuple[float, float]:

@@ -45,7 +45,7 @@ class Gauged:
     @cached_property
     def beta_b(self) -> float:
         """Angle of the helix on the base cylinder."""
-        return float(np.arcsin(np.sin(self.pair.beta) * np.cos(self.pair.rack.alpha)))
+        return float(self.pair.beta_b)
 
     def of(self, key: str) -> float:
         """A size of this wheel by its name in `Pair`."""

@@ -164,6 +164,11 @@ class Wheels:
         return self.p_b / np.cos(self.alpha_w)
 
     @cached_property
+    def beta_b(self) -> Array:
+        """Angle of the helix on the base cylinders."""
+        return np.arcsin(np.sin(self.beta) * np.cos(self.rack.alpha))
+
+    @cached_property
     def backlash(self) -> Array:
         """Circumferential backlash on the working circles; negative: the teeth would overlap."""
         return self.p_w - self.s_w[0] - self.s_w[1]
@@ -171,8 +176,7 @@ class Wheels:
     @cached_property
     def normal_backlash(self) -> Array:
         """Backlash along the line of action, in the normal section."""
-        beta_b = np.arcsin(np.sin(self.beta) * np.cos(self.rack.alpha))
-        return self.backlash * np.cos(self.alpha_w) * np.cos(beta_b)
+        return self.backlash * np.cos(self.alpha_w) * np.cos(self.beta_b)
 
     # ------------------------------------------------------------ circles, diameters
 

@@ -46,9 +46,8 @@ def specific_pressure(pair: Pair, rho: Array) -> Array:
     profiles stand for there, of helical teeth in their normal section."""
     one = pair.signs[0] * rho
     other = pair.side * pair.line - one
-    beta_b = np.arcsin(np.sin(pair.beta) * np.cos(pair.rack.alpha))
     with unknown():
-        return pair.m * np.cos(beta_b) * np.abs(1 / one + 1 / other)
+        return pair.m * np.cos(pair.beta_b) * np.abs(1 / one + 1 / other)
 
 
 def allowed(

@@ -11,10 +11,10 @@ Source: Artobolevsky, Theory of mechanisms and machines, ch. VII; Kudryavtsev, P
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Any
 
-from tmm_report.mechanics.gears.trains import FRAME, Mesh, Train
+from tmm_report.mechanics.gears.trains import FRAME, Train
 from tmm_report.records import dataclass
 
 Number = Any  # a float, an array, an expression
@@ -204,8 +204,3 @@ def sign(train: Train, row: Row) -> int:
     """+1 or −1 of u_ab(c)."""
     outside = sum(not train.meshes[link.mesh].internal for link in row.links)
     return -1 if outside % 2 else 1
-
-
-def meshes_of(row: Row, train: Train) -> Iterator[Mesh]:
-    for link in row.links:
-        yield train.meshes[link.mesh]
