@@ -26,6 +26,7 @@ from tmm_report.quantity.formula import Formula
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
+from tmm_report.report.paper.power_flow import power_flow
 from tmm_report.report.part import Failed, Inner, Part
 
 SCHEME = N_("Kinematic scheme of the drive")
@@ -231,23 +232,7 @@ class DriveView(ChapterView):
 
     def meshes_table(self) -> Table:
         """Direction of the power in every mesh."""
-        table, page = self.table("meshes"), self.page
-        rows = [
-            [
-                page.word(f"{mesh.i}–{mesh.j}", table, "mesh", row),
-                page.word(mesh.carrier or "—", table, "carrier", row),
-                page.word(table["driving"].values[row] or "—", table, "driving", row),
-                page.cell(table, "N", row, size=True),
-                page.cell(table, "N_fr", row, digits=4),
-                page.cell(table, "eta", row, digits=4),
-            ]
-            for row, mesh in enumerate(self.found.train.meshes)
-        ]
-        heads = [
-            *(self.t(text) for text in (N_("Mesh"), N_("Carrier"), N_("Driving wheel"))),
-            *(page.head(table[key].symbol(), table[key].unit) for key in ("N", "N_fr", "eta")),
-        ]
-        return worded(self.t("Flow of the power through the meshes"), heads, rows, [12, 14, 22, 18, 18, 16])
+        return power_flow(self.page, self.table("meshes"), self.t("Flow of the power through the meshes"))
 
     def teeth_table(self) -> Table:
         """Forces in the meshes by the mean and by the greatest balancing moment."""

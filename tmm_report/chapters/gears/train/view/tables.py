@@ -18,6 +18,7 @@ from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper import layout
 from tmm_report.report.paper.layout import Cell, worded
+from tmm_report.report.paper.power_flow import power_flow
 
 SHOWN = 10  # solutions of the search
 REASONS = {
@@ -193,26 +194,8 @@ class TrainTables(ChapterView):
         return worded(self.t("Speeds in the other motions"), heads, rows, (1, 1, 2, 2))
 
     def meshes_table(self) -> layout.Table:
-        table, page = self.table("meshes"), self.page
-        rows = [
-            [
-                page.word(f"{mesh.i}–{mesh.j}", table, "mesh", row),
-                page.word(mesh.carrier or "—", table, "carrier", row),
-                page.word(table["driving"].values[row] or "—", table, "driving", row),
-                page.cell(table, "N", row, size=True),
-                page.cell(table, "N_fr", row, digits=4),
-                page.cell(table, "eta", row, digits=4),
-            ]
-            for row, mesh in enumerate(self.found.train.meshes)
-        ]
-        plain = (Symbol("N"), Symbol("N", "fr"), Symbol("eta"))
-        heads = [
-            *(self.t(text) for text in (N_("Mesh"), N_("Carrier"), N_("Driving wheel"))),
-            *(page.head(s, unit) for s, unit in zip(plain, ("W", "W", ""), strict=True)),
-        ]
-        return worded(
-            self.t("Flow of the power through the meshes of the train"), heads, rows, [12, 14, 22, 18, 18, 16]
-        )
+        caption = self.t("Flow of the power through the meshes of the train")
+        return power_flow(self.page, self.table("meshes"), caption)
 
     @property
     def forces(self) -> bool:
