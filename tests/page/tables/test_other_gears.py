@@ -121,6 +121,32 @@ SOUGHT = """train:
   efficiency: {external: 0.97, internal: 0.98}
   output_power: 300 W
 """
+TOGETHER = """train:
+  wheels: {a: 30, p: 20, b: 70, a': 24, q: 30, b': 84, c: 40, r: 20, f: 80}
+  carriers: {C: p, D: q, E: r}
+  meshes: [a-p, p-b internal, a'-q, q-b' internal, c-r, r-f internal]
+  joined: [[C, c], [D, E]]
+  input: a
+  output: b
+  fixed: f
+  speed: 1000 rpm
+  torque: 10 N*m
+  module: 2 mm
+  satellites: 2
+  efficiency: {external: 0.98, internal: 0.99}
+"""
+LOOP = """train:
+  wheels: {1: 20, 2: 40, 3: 100, 1': 30, 4: 30, 5: 90, 6: 20, 7: 12, 8: 20}
+  carriers: {H: [2, 7]}
+  meshes: [1-2, 2-3 internal, 1'-4, 4-5 internal, 6-7 bevel, 7-8 bevel]
+  joined: [[3, 5]]
+  input: 1
+  output: [6, 8]
+  speed: 1000 rpm
+  speeds: {6: -105 rpm}
+  torque: 10 N*m
+  efficiency: {external: 0.98, internal: 0.99, bevel: 0.97}
+"""
 STATEMENTS = Path(__file__).parents[2] / "statements"
 TEXTS = {
     name: "drive:\n  speed: 3000 rpm\n  torque: 10 N*m\n  stages:\n"
@@ -130,7 +156,7 @@ TEXTS = {
 TEXTS |= {
     name: (STATEMENTS / f"{file}.yaml").read_text("utf-8").replace("language: en\n", "")
     for name, file in TRAINS.items()
-} | {"3K whose teeth are sought": SOUGHT}
+} | {"3K whose teeth are sought": SOUGHT, "rows solved together": TOGETHER, "two outputs behind a loop": LOOP}
 
 
 QUICK = ("two rows alike", "3K", "two inputs", "rounded shifts, pointed teeth", "no middle satellite")
