@@ -36,6 +36,7 @@ import faults_note  # noqa: E402
 import faults_words  # noqa: E402
 from faults import Fault  # noqa: E402
 from plants import cams as faults_cams  # noqa: E402
+from plants import gears as faults_gears  # noqa: E402
 from plants import note as faults_depth  # noqa: E402
 
 FAULTS = (
@@ -45,6 +46,7 @@ FAULTS = (
     *faults_cams.FAULTS,
     *faults_note.FAULTS,
     *faults_depth.FAULTS,
+    *faults_gears.FAULTS,
     *faults_edges.FAULTS,
     *faults_cures.FAULTS,
     *faults_methods.FAULTS,
