@@ -21,12 +21,13 @@ import numpy as np
 
 from tmm_report.mechanics.calculus.vectors import cross, dot
 from tmm_report.mechanics.cams.cam import Cam, Sliding, Swinging
-from tmm_report.mechanics.cams.extremes import GOLD, NARROWED
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN
 
 Array = Any
 LAID = 721  # points of the profile on which the follower is first let down
-HALVED = 52  # halvings that leave the rounding of an angle
+PARTS = 8  # of a bracket, at whose ends all angles are tried at once: a call costs more than a few points of it
+NARROWED = 14  # times a bracket of two points of the profile becomes two of its parts: that leaves 4e-11 rad
+HALVED = 18  # times it becomes one of its parts: the rounding of an angle
 
 
 def recovered(cam: Cam, phi: Array) -> Array:
@@ -83,12 +84,17 @@ def _swung(cam: Cam, motion: Swinging, w: Array) -> Array:
 
 
 def _refined(of: Callable[[Array], Array], low: Array, high: Array) -> Array:
-    """The greatest value between the ends, golden sections of all at once, (P,)."""
+    """The greatest value between the ends, (P,)."""
     for _ in range(NARROWED):
-        left, right = high - GOLD * (high - low), low + GOLD * (high - low)
-        falls = of(left) >= of(right)
-        low, high = np.where(falls, low, left), np.where(falls, right, high)
+        x = _parted(low, high)
+        k, each = np.argmax(of(x), axis=0), np.arange(len(low))
+        low, high = x[np.maximum(k - 1, 0), each], x[np.minimum(k + 1, PARTS), each]
     return of((low + high) / 2)
+
+
+def _parted(low: Array, high: Array) -> Array:
+    """The ends of equal parts of brackets, (PARTS + 1, P)."""
+    return low + (high - low) * (np.arange(PARTS + 1) / PARTS)[:, None]
 
 
 def _on_edge(cam: Cam, phi: Array, u: Array, points: Array) -> Array:
@@ -99,9 +105,10 @@ def _on_edge(cam: Cam, phi: Array, u: Array, points: Array) -> Array:
     k, each = np.argmax(values, axis=1), np.arange(len(phi))
     low, high, sign = u[k], u[k + 1], np.sign(gap[each, k])
     for _ in range(HALVED):
-        middle = (low + high) / 2
-        same = np.sign(_gap(cam, cam.profile(middle), phi)) == sign
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
+        x = _parted(low, high)
+        same = np.sign(_gap(cam, cam.profile(x[1:-1]), phi)) == sign
+        passed = np.argmin(np.concatenate([same, np.zeros((1, len(phi)), bool)]), axis=0)  # the first beyond
+        low, high = x[passed, each], x[passed + 1, each]
     return touching(cam, cam.profile((low + high) / 2), phi)
 
 
