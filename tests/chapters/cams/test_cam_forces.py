@@ -21,6 +21,11 @@ SWINGING = (
     "roller: 10 mm, base: 40 mm, swing: 18 deg, arm: 120 mm, centre_distance: 130 mm, side: with, "
     f"speed: 300 rpm, {LAW}"
 )
+CHOSEN = f"roller: chosen, base: smallest, lift: 20 mm, {LAW}"
+POLAR = (
+    "roller: 8 mm, speed: 200 rpm, profile: {polar: [[0 deg, 30 mm], [40 deg, 31 mm], [80 deg, 35 mm], "
+    "[120 deg, 41 mm], [160 deg, 45 mm], [200 deg, 44 mm], [240 deg, 40 mm], [280 deg, 35 mm], [320 deg, 31 mm]]}"
+)
 PIN = "pin: {radius: 4 mm, friction: 0.1}"
 GUIDE = "guide: {length: 90 mm, overhang: 60 mm, friction: 0.1}"
 
@@ -89,6 +94,16 @@ def test_the_work_of_a_turn_is_that_of_the_load_and_of_friction(cam, more):
     assert own["cam_disagreement"].value < 1e-12
 
 
+def test_over_a_profile_of_points_what_springs_and_inertia_give_back_is_nothing():
+    """The acceleration has its kinks where the follower is over a stated point, not at the angles of the points."""
+    results = solved(POLAR, "mass: 1 kg, spring: {rate: 6 N/mm, preload: 60 N}, load: 50 N")
+    own, forces = numbers(results), results.cam_forces
+    assert own["cam_T_mean"].value == 0
+    fine = forces.loaded.at(np.linspace(0, 2 * math.pi, 200_001)).N
+    ends = (own["cam_N_min"].value, own["cam_N_max"].value)
+    assert ends == pytest.approx((fine.min(), fine.max()), rel=1e-6)
+
+
 @pytest.mark.parametrize(
     "asked", ["smallest", "{ratio: 0.4, reserve: 1.3}", "{rate: 4 kN/m, preload: smallest, reserve: 1.3}",
               "{preload: 40 N, rate: smallest}"],
@@ -155,6 +170,7 @@ BAD = [
     (SLIDING, "face_friction: 0.1", "cam.face_friction", "does not slide"),
     (KNIFE, "pin: {radius: 3 mm, friction: 0.1}", "cam.pin", "has no pin"),
     (SLIDING, "pin: {radius: 12 mm, friction: 0.1}", "cam.pin", "as thick"),
+    (CHOSEN, "pin: {diameter: 60 mm, friction: 0.1}", "cam.pin", "as thick"),
     (SLIDING, "pin: {friction: 0.1}", "cam.pin", "stated in one way"),
     (KNIFE, "load: 5 N, closure: groove", "cam.closure", "a roller between"),
     (KNIFE, "load: 5 N, contact: {width: 9 mm}", "cam.contact", "no width"),

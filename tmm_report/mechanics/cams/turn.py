@@ -20,6 +20,7 @@ from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding
 from tmm_report.mechanics.cams.contact_pressure import Material, curvature, hertz
 from tmm_report.mechanics.cams.follower_laws import EDGE, FULL_TURN, Phases
 from tmm_report.mechanics.cams.forces import Needs, Pressed, Rubs, bears, lift_of, pressed, touching, ways
+from tmm_report.mechanics.cams.kinks import kinks
 from tmm_report.mechanics.cams.spring import Reached, lifts_off
 from tmm_report.records import dataclass
 
@@ -114,12 +115,7 @@ class Loaded:
     @cached_property
     def breaks(self) -> Array:
         """Angles turned at which the acceleration or its rate may jump, rad."""
-        given = self.cam.given
-        if isinstance(given, ByLaw):
-            phi = given.start + given.sense * np.array(given.law.breaks)
-        else:
-            phi = np.array(getattr(getattr(given, "curve", None), "angles", ()))
-        return np.mod(self.sense * (phi - self.begin), FULL_TURN)
+        return np.mod(self.sense * (np.array([*kinks(self.cam)]) - self.begin), FULL_TURN)
 
     # ------------------------------------------------------------ what the follower needs
 
