@@ -32,19 +32,20 @@ def given(read: Read) -> Taken:
     stated = read.block(Block).cam
     if stated is None:
         return {"cam": None, "cam_forces": None}
-    return {"cam": built(stated), "cam_forces": built_forces(stated) if stated.loaded else None}
+    own = built(stated)
+    return {"cam": own, "cam_forces": built_forces(stated, own) if stated.loaded else None}
 
 
 def mistakes(read: Read) -> Iterator[Problem]:
-    from tmm_report.chapters.cams.cam.block.build import wrong
+    from tmm_report.chapters.cams.cam.block.build import tried
     from tmm_report.chapters.cams.cam.block.forces import wrong as wrong_forces
 
     stated = read.block(Block).cam
     if stated is not None and not read.is_broken("cam"):
-        found = [*wrong(stated)]
+        own, found = tried(stated)
         yield from found
-        if stated.loaded and not found:
-            yield from wrong_forces(stated)
+        if stated.loaded and own is not None and not found:
+            yield from wrong_forces(stated, own)
 
 
 def doubts(read: Read) -> Iterator[Problem]:

@@ -34,13 +34,19 @@ UP = 1j
 DRAWN = 72  # equal parts of the turn for the curves, at least
 
 
-def wrong(stated: CamAloneModel) -> Iterator[Problem]:
-    """What the parts of the block say wrong of one another."""
+def tried(stated: CamAloneModel) -> tuple[Given | None, list[Problem]]:
+    """The cam where it can be built, and what the parts of the block say wrong of one another."""
+    foreign = list(_foreign(stated))
     try:
-        built(stated)
+        return built(stated), foreign
     except Wrong as error:
         key = "pitch_base" if error.key == "base" and stated.pitch_base is not None else error.key
-        yield Problem(error.wrong, error.right, ("cam", key) if key in stated.model_fields_set else ("cam",))
+        path = ("cam", key) if key in stated.model_fields_set else ("cam",)
+        return None, [Problem(error.wrong, error.right, path), *foreign]
+
+
+def _foreign(stated: CamAloneModel) -> Iterator[Problem]:
+    """What is of another follower."""
     foreign = (
         ("offset", N_("a swinging follower has no offset"))
         if stated.swinging and stated.offset is not None
@@ -191,9 +197,8 @@ def _best_offset(stated: CamAloneModel) -> float:
 
 
 def _swinging(stated: CamAloneModel, sense: int) -> Swinging:
-    for key in ("swing",) if stated.phases else ():
-        if getattr(stated, key) is None:
-            raise Wrong(key, Message(N_("the key %(key)s is missing"), {"key": key}))
+    if stated.phases and stated.swing is None:
+        raise Wrong("swing", Message(N_("the key %(key)s is missing"), {"key": "swing"}))
     if stated.centre_distance is None:
         text = N_("the distance of the pivots of cam and follower is missing")
         raise Wrong("centre_distance", Message(text), Message(N_("centre_distance: 120 mm")))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from tmm_report.chapters.cams.cam.block.alone import CamAloneModel
-from tmm_report.chapters.cams.cam.block.build import built
 from tmm_report.chapters.cams.cam.block.loads import (
     SMALLEST,
     STOCK,
@@ -16,7 +15,7 @@ from tmm_report.chapters.cams.cam.block.loads import (
     SpringModel,
     TorsionModel,
 )
-from tmm_report.chapters.cams.cam.given import Forces, SpringAsked
+from tmm_report.chapters.cams.cam.given import Forces, Given, SpringAsked
 from tmm_report.mechanics.calculus.laws import ByAngle, ByDisplacement, Constant, Law
 from tmm_report.mechanics.cams.contact_pressure import Material
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN
@@ -25,8 +24,7 @@ from tmm_report.mechanics.cams.turn import Contact, Loaded, Spring
 from tmm_report.problems import N_, Message, Problem, mistake
 
 
-def built_forces(stated: CamAloneModel) -> Forces:
-    own = built(stated)
+def built_forces(stated: CamAloneModel, own: Given) -> Forces:
     swings = stated.swinging
     spring = stated.torsion if swings else stated.spring
     rubs = Rubs(
@@ -117,10 +115,10 @@ OTHERS = {
 }  # fmt: skip
 
 
-def wrong(stated: CamAloneModel) -> Iterator[Problem]:
+def wrong(stated: CamAloneModel, own: Given) -> Iterator[Problem]:
     """What the keys say wrong of one another and of the cam."""
     yield from _foreign(stated)
-    yield from _rubbing(stated)
+    yield from _rubbing(stated, own.cam.roller)
     yield from _speed(stated)
     if stated.at and stated.model_fields_set.isdisjoint({*FOREIGN[True], *FOREIGN[False], "mass"}):
         text = N_("nothing loads the follower, so that no forces can be asked for")
@@ -145,13 +143,15 @@ def _foreign(stated: CamAloneModel) -> Iterator[Problem]:
         yield mistake(N_("the centre of mass is stated without the mass"), ("cam", "mass_centre"))
 
 
-def _rubbing(stated: CamAloneModel) -> Iterator[Problem]:
-    rolls = stated.roller is not None
+def _rubbing(stated: CamAloneModel, roller: float | None) -> Iterator[Problem]:
+    """`roller`: its radius, m, also of one that was chosen."""
+    rolls = bool(roller)
     if stated.pin is not None and not rolls:
         text = N_("an edge or a flat face slides on its cam and has no pin")
         yield mistake(text, ("cam", "pin"), Message(N_("face_friction: 0.1")))
-    if stated.pin is not None and isinstance(stated.roller, float) and stated.pin.half >= stated.roller:
-        yield mistake(N_("the pin of a roller is as thick as the roller itself"), ("cam", "pin"))
+    if stated.pin is not None and roller and stated.pin.half >= roller:
+        right = Message(N_("below %(most)s mm, the diameter of the roller"), {"most": f"{2e3 * roller:g}"})
+        yield mistake(N_("the pin of a roller is as thick as the roller itself"), ("cam", "pin"), right)
     if stated.face_friction is not None and rolls:
         text = N_("a roller does not slide on its cam")
         yield mistake(text, ("cam", "face_friction"), Message(N_("pin: {diameter: 8 mm, friction: 0.1}")))
