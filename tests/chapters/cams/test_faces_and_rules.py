@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from notes import render
 
 from tmm_report import course
 from tmm_report.chapters.cams.cam.draw import face
@@ -77,6 +78,23 @@ def test_a_thick_shaft_asks_for_a_larger_cam():
     thin, thick = (solved(ROLLS % ("5 mm", f"shaft: {d} mm, ")) for d in (10, 90))
     assert thin.pitch_base == pytest.approx(solved(ROLLS % ("5 mm", "")).pitch_base)
     assert thick.pitch_base == pytest.approx(0.8 * 0.090 + 0.005)
+    for cam in (SLIDES, SWINGS % ("14 deg", "5 mm", "with", "clockwise")):
+        assert solved(f"shaft: 100 mm, {cam}").cam.base == pytest.approx(0.8 * 0.100)
+
+
+@pytest.mark.parametrize(
+    ("cam", "asks", "rounds"),
+    [
+        (ROLLS % ("5 mm", "shaft: 90 mm, "), True, False),
+        (ROLLS % ("5 mm", "shaft: 90 mm, round: 5 mm, "), True, False),
+        (ROLLS % ("5 mm", "shaft: 10 mm, round: 5 mm, "), False, True),
+        (f"shaft: 100 mm, {SLIDES}", True, False),
+        (SLIDES, False, False),
+    ],
+)
+def test_it_is_said_whether_the_shaft_or_rounding_makes_the_cam_larger(cam, asks, rounds):
+    note = render(course.solve(course.loads(f"language: en\ncam: {{{cam}}}")), "html")["note.html"].decode()
+    assert ("The shaft asks for more" in note) == asks and ("is rounded up to" in note) == rounds
 
 
 def test_jerk_is_the_greatest_third_derivative():

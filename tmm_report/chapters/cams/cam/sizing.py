@@ -43,6 +43,13 @@ class Sizing:
         yield from ()
 
     @property
+    def by_shaft(self) -> bool:
+        """Whether the shaft asks for more than the law."""
+        if self.found.shaft is None:
+            return False
+        return self._value("cam_r0_shaft").value > self._value("cam_r0_least").value + 1e-12
+
+    @property
     def rounded(self) -> bool:
         return abs(self.found.pitch_base - self._value("cam_r0_least").value) > 1e-12
 

@@ -41,36 +41,47 @@ def smallest(
     sense: int,
     limit: float,
 ) -> tuple[float, Size]:
-    """Least radius of the profile, rounded up, m, and by what it was found."""
+    """Least radius of the profile, rounded up, m, and by what of the law it was found."""
     if model.profile:
         raise Wrong("base", Message(N_("this follows from the profile of the cam")))
-    if roller is None:
-        if isinstance(motion, Swinging):
-            turned = _under_turned_face(model, motion, face, motion.side * sense > 0, limit)
-            assert turned.lowest is not None
-            return _rounded(model, turned.radius(turned.lowest)), turned
-        under = _under_face(model, motion, face)
-        return _rounded(model, under.asked.b), under
-    sized: Zone | Lever
-    if isinstance(motion, Sliding):
-        sized = Zone(law(model, False), limit, model.return_angle_limit)
-        radius = sized.at(sense * motion.offset).radius
-    else:
-        sized = Lever(
-            law(model, True), abs(motion.arm), abs(motion.pivot), motion.side * sense > 0, limit,
-            model.return_angle_limit,
-        )  # fmt: skip
-        if sized.lowest is None:
-            raise _no_place(sized)
-        radius = sized.radius(sized.lowest.least)
+    radius, sized = _by_law(model, motion, roller, face, sense, limit)
+    within = roller or 0.0
     if (shaft := getattr(model, "shaft", None)) is not None:
-        radius = max(radius, by_shaft(shaft, roller))
+        radius = max(radius, by_shaft(shaft, within))
     pitch = _rounded(model, radius)
-    if pitch <= roller:
+    if pitch <= within:
         text = N_("the roller, %(roller)s m, is larger than the least radius of its centre, %(radius)s m")
         told = {"roller": f"{roller:.4g}", "radius": f"{pitch:.4g}"}
         raise Wrong("base", Message(text, told), Message(N_("a smaller roller, or state it: base: 40 mm")))
-    return pitch - roller, sized
+    return pitch - within, sized
+
+
+def _by_law(
+    model: CamStated,
+    motion: Sliding | Swinging,
+    roller: float | None,
+    face: complex,
+    sense: int,
+    limit: float,
+) -> tuple[float, Size]:
+    """Least radius of the pitch curve, of the profile under a face, m, by the law alone."""
+    if isinstance(motion, Sliding):
+        if roller is None:
+            under = _under_face(model, motion, face)
+            return under.asked.b, under
+        zone = Zone(law(model, False), limit, model.return_angle_limit)
+        return zone.at(sense * motion.offset).radius, zone
+    alike = motion.side * sense > 0
+    if roller is None:
+        turned = _under_turned_face(model, motion, face, alike, limit)
+        assert turned.lowest is not None
+        return float(turned.radius(turned.lowest)), turned
+    lever = Lever(
+        law(model, True), abs(motion.arm), abs(motion.pivot), alike, limit, model.return_angle_limit
+    )
+    if lever.lowest is None:
+        raise _no_place(lever)
+    return lever.radius(lever.lowest.least), lever
 
 
 def best_distance(model: CamStated, alike: bool) -> float:
