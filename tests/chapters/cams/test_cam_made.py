@@ -73,10 +73,12 @@ def test_the_proof_by_reversed_motion(follower):
 
 
 def test_it_is_told_where_a_law_asks_for_a_profile_that_cannot_be():
-    results = alone(f"roller: 9 mm, base: 40 mm, lift: 14 mm, {PHASES.replace('sine}', 'uniform}', 1)}")
-    (made,) = results.cam.made
-    assert made.proof.value > 1e-6
-    assert "cut by its own other part" in render(results, "html")["note.html"].decode()
+    for follower in ("roller: 9 mm", "follower: flat", "follower: knife"):
+        results = alone(f"{follower}, base: 40 mm, lift: 14 mm, {PHASES.replace('sine}', 'uniform}', 1)}")
+        (made,) = results.cam.made
+        cut, note = follower != "follower: knife", render(results, "html")["note.html"].decode()
+        assert (made.proof.value > 1e-6) == cut, (follower, made.proof.value)
+        assert ("cut by its own other part" in note) == cut and ("no part of it is undercut" in note) != cut
 
 
 # --- for CAD

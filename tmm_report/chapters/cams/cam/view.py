@@ -288,6 +288,11 @@ class CamView(BookView):
         """Whether the law has a hard shock."""
         return any(shock.hard for shock in self.found.shocks)
 
+    @property
+    def cut(self) -> bool:
+        """Whether the profile that the law asks for cuts itself; that under an edge has corners alone."""
+        return self.hard and self.cam.roller != 0
+
     def motion(self, caption: Any) -> Table:
         return self.by_positions(caption, q.named(self.found, "cam_motion", "table"))
 
