@@ -74,6 +74,44 @@ def test_a_chosen_roller_keeps_the_rules_and_one_millimetre_more_does_not():
     assert found.cam.roller * 1e3 == pytest.approx(round(found.cam.roller * 1e3))
 
 
+GROOVED = (
+    "closure: groove, lift: 30 mm, phases: [{rise: 40 deg, law: sine}, {dwell: 40 deg}, "
+    "{return: 40 deg, law: parabolic}, {dwell: rest}]"
+)
+
+
+@pytest.mark.parametrize("shaft", ["", "shaft: 90 mm, ", "shaft: 140 mm, round: 1 mm, "])
+def test_a_roller_chosen_on_a_curve_about_a_shaft_leaves_none_that_is_larger(shaft):
+    found = solved(ROLLS % ("chosen", shaft))
+    assert found.cam.roller <= found.roller_limits.most < found.cam.roller + 1e-3
+
+
+def test_in_a_groove_the_hollows_of_the_pitch_curve_bound_the_roller():
+    found = solved(f"roller: 9 mm, pitch_base: 45 mm, {GROOVED}")
+    phi = np.linspace(0, 2 * math.pi, 200_001)
+    radius = found.cam.contact(phi).radius
+    assert found.hollow.value == pytest.approx(-radius[radius < 0].max(), rel=1e-6)
+    limits = found.roller_limits
+    assert limits.by_hollow == pytest.approx(0.8 * found.hollow.value)
+    assert limits.most == limits.by_hollow < min(limits.by_radius, limits.by_curvature)
+    free = solved(f"roller: 9 mm, pitch_base: 45 mm, {GROOVED.replace('groove', 'force')}")
+    assert free.hollow is None and free.roller_limits.by_hollow == math.inf
+    chosen = solved(f"roller: chosen, pitch_base: 45 mm, {GROOVED}")
+    assert chosen.cam.roller <= chosen.roller_limits.most < chosen.cam.roller + 1e-3
+
+
+def test_a_groove_without_hollows_has_no_such_bound():
+    found = solved(f"closure: groove, {ROLLS % ('5 mm', '')}".replace("base: smallest", "pitch_base: 150 mm"))
+    assert found.hollow is None and found.roller_limits.by_hollow == math.inf
+
+
+def test_what_bounds_a_roller_in_its_groove_is_printed():
+    text = f"language: en\ncam: {{roller: 9 mm, pitch_base: 45 mm, {GROOVED}}}"
+    note = render(course.solve(course.loads(text)), "html")["note.html"].decode()
+    assert all(f'data-q="{key}"' in note for key in ("cam_rho_hollow", "cam_roller_by_hollow"))
+    assert "larger than the rules allow" in note
+
+
 def test_a_thick_shaft_asks_for_a_larger_cam():
     thin, thick = (solved(ROLLS % ("5 mm", f"shaft: {d} mm, ")) for d in (10, 90))
     assert thin.pitch_base == pytest.approx(solved(ROLLS % ("5 mm", "")).pitch_base)

@@ -65,7 +65,8 @@ def test_least_radii_of_a_course_and_by_circles_through_three_points():
 
 def test_the_roller_of_a_course_by_its_rules():
     limits = rules.roller_limits(0.054, 0.0434091269189)
-    assert limits == pytest.approx((0.0216, 0.0347273015351), rel=1e-9)
+    assert limits == pytest.approx((0.0216, 0.0347273015351, math.inf), rel=1e-9)
+    assert rules.roller_limits(0.054, 0.0434091269189, 0.02).most == pytest.approx(0.016)
     assert limits.most == limits.by_radius
     assert rules.chosen(limits.most, 0.001) == pytest.approx(0.021)
     assert rules.chosen(limits.most, 0.001, (0.010, 0.016, 0.019, 0.022)) == 0.019

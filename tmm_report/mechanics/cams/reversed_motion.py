@@ -25,7 +25,9 @@ from tmm_report.mechanics.cams.follower_laws import FULL_TURN
 
 Array = Any
 LAID = 721  # points of the profile on which the follower is first let down
-PARTS = 8  # of a bracket, at whose ends all angles are tried at once: a call costs more than a few points of it
+PARTS = (
+    8  # of a bracket, at whose ends all angles are tried at once: a call costs more than a few points of it
+)
 NARROWED = 14  # times a bracket of two points of the profile becomes two of its parts: that leaves 4e-11 rad
 HALVED = 18  # times it becomes one of its parts: the rounding of an angle
 

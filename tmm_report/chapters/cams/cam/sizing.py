@@ -125,6 +125,9 @@ class Rules:
         radius, curvature = self._value("cam_pitch_base").var(), self._value("cam_rho_pitch").var()
         yield self._value("cam_roller_by_radius").formula(Number(OF_RADIUS) * radius)
         yield self._value("cam_roller_by_curvature").formula(Number(OF_CURVATURE) * curvature)
+        if self.found.hollow is not None:
+            hollow = self._value("cam_rho_hollow").var()
+            yield self._value("cam_roller_by_hollow").formula(Number(OF_CURVATURE) * hollow)
 
     def shaft(self) -> Formula:
         by = Number(OF_SHAFT) * self._value("cam_shaft").var()

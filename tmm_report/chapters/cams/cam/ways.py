@@ -54,7 +54,7 @@ ZONE = N_(
 HOLDS = N_("The two positions of the follower whose lines hold the axis there, sought over the law.")
 AWAY = N_("As the variant states the face: its distance from the pivot.")
 ROLLER = N_("Stated; or chosen: the greatest that the rules allow, rounded down to a whole millimetre.")
-LESSER = N_("The lesser of the two.")
+LESSER = N_("The least of them.")
 JUMP = N_("Where two phases meet: the difference of the derivatives on both sides.")
 APART = N_("By the places of both pivots that the variant states.")
 LIFT = N_("The greatest displacement of the law less the least.")
@@ -90,7 +90,11 @@ def _ways(own: str, same: str) -> tuple[Way, ...]:
             of="cam_arm@ cam_alpha_limit@ cam_alpha_back@",
         ),
         Way("cam_away@", AWAY, of="cam_apart@"),
-        Way("cam_roller_most@", LESSER, of="cam_roller_by_radius@ cam_roller_by_curvature@"),
+        Way(
+            "cam_roller_most@",
+            LESSER,
+            of="cam_roller_by_radius@ cam_roller_by_curvature@ cam_roller_by_hollow@",
+        ),
         Way("cam_shaft@", STATED),
         Way("cam_roller@", ROLLER, of="cam_roller_most@"),
         Way("cam_shocks@.*", JUMP, of="phi shock"),

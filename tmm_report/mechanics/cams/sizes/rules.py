@@ -14,7 +14,7 @@ the theory of mechanisms, ch. 6.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import floor
+from math import floor, inf
 from typing import NamedTuple
 
 OF_RADIUS = 0.4
@@ -23,19 +23,24 @@ OF_SHAFT = 0.8
 
 
 class Limits(NamedTuple):
-    """What a roller may have at most, m: by the least radius, by the curvature."""
+    """What a roller may have at most, m: by the least radius, by the curvature where it is convex; by that where it is
+    hollow, in a groove, else inf."""
 
     by_radius: float
     by_curvature: float
+    by_hollow: float = inf
 
     @property
     def most(self) -> float:
         return min(self)
 
 
-def roller_limits(radius: float, curvature: float, share: float = OF_CURVATURE) -> Limits:
-    """Of the pitch curve: its least radius and radius of curvature, m."""
-    return Limits(OF_RADIUS * radius, share * curvature)
+def roller_limits(
+    radius: float, curvature: float, hollow: float = inf, share: float = OF_CURVATURE
+) -> Limits:
+    """Of the pitch curve: its least radius and radius of curvature, m; `hollow`: that where it is concave, in a
+    groove."""
+    return Limits(OF_RADIUS * radius, share * curvature, share * hollow)
 
 
 def chosen(most: float, step: float, row: Sequence[float] = ()) -> float | None:

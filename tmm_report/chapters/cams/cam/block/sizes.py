@@ -22,7 +22,7 @@ from tmm_report.mechanics.cams.cam import (
 )
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN
 from tmm_report.mechanics.cams.sizes.centres import Centres, Condition, NoZone
-from tmm_report.mechanics.cams.sizes.curvature import OnArm, OnLine, least_convex
+from tmm_report.mechanics.cams.sizes.curvature import OnArm, OnLine, least_convex, least_hollow
 from tmm_report.mechanics.cams.sizes.least_face import Face, TurnedFace, under_face
 from tmm_report.mechanics.cams.sizes.least_size import Lever, Size, Zone
 from tmm_report.mechanics.cams.sizes.rules import by_shaft, chosen, roller_limits
@@ -195,7 +195,19 @@ def chosen_roller(
         )
     if model.profile:
         raise Wrong("roller", Message(N_("this is stated where the profile is: roller: 10 mm")))
-    radius = smallest(model, motion, 0.0, face, sense, limit)[0] if pitch is None else pitch
+    if pitch is not None:
+        return _fitting(model, motion, face, sense, pitch)
+    found = 0.0
+    while True:  # about a shaft the pitch curve grows with the roller, by less than the roller would need to
+        radius = smallest(model, motion, found, face, sense, limit)[0] + found
+        most = _fitting(model, motion, face, sense, radius)
+        if most <= found or getattr(model, "shaft", None) is None:
+            return most
+        found = most
+
+
+def _fitting(model: CamStated, motion: Sliding | Swinging, face: complex, sense: int, radius: float) -> float:
+    """The greatest roller on a pitch curve of the least `radius`, m."""
     start = lowest(radius, motion, 0.0, face)
     place: OnLine | OnArm
     if isinstance(motion, Sliding):
@@ -204,7 +216,9 @@ def chosen_roller(
         d, arm = abs(motion.pivot), abs(motion.arm)
         leaning = math.acos((d * d + arm * arm - radius**2) / (2 * d * arm))
         place = OnArm(arm, d, leaning, motion.side * sense > 0)
-    limits = roller_limits(radius, least_convex(law(model, isinstance(motion, Swinging)), place))
+    own = law(model, isinstance(motion, Swinging))
+    hollow = least_hollow(own, place) if getattr(model, "closure", "") == "groove" else math.inf
+    limits = roller_limits(radius, least_convex(own, place), hollow)
     found = chosen(limits.most, STEP if limits.most >= STEP else STEP / 10)
     if found is None:
         raise Wrong("roller", Message(N_("no roller keeps the rules on this pitch curve")), Message(STATE))

@@ -22,7 +22,7 @@ from tmm_report.quantity.tabulated import tabulated
 
 RISE, RETURN, LIMIT = NP_("index", "rise"), NP_("index", "ret"), NP_("index", "lim")
 MAX, MIN, BEST = NP_("index", "max"), NP_("index", "min"), NP_("index", "best")
-FACE, SHAFT = NP_("index", "face"), NP_("index", "shaft")
+FACE, SHAFT, HOLLOW = NP_("index", "face"), NP_("index", "shaft"), NP_("index", "hol")
 MOVES = NP_("index", "mov")  # where the follower moves
 LEANS = {
     "rise min": N_(
@@ -202,7 +202,13 @@ def _rules(found: CamFound) -> Iterator[Value]:
         yield of(found, "cam_roller_by_curvature", Symbol("r", "2"), "m", text, "mm").value(
             limits.by_curvature
         )
-        text = N_("greatest radius of the roller by both rules")
+        if found.hollow is not None:
+            text = N_("greatest radius of the roller by the curvature of the pitch curve where it is hollow")
+            by_hollow = of(found, "cam_roller_by_hollow", Symbol("r", "3"), "m", text, "mm")
+            yield by_hollow.value(limits.by_hollow)
+            text = N_("greatest radius of the roller by all rules")
+        else:
+            text = N_("greatest radius of the roller by both rules")
         yield of(found, "cam_roller_most", Symbol("r", LIMIT), "m", text, "mm").value(limits.most)
     if found.shaft is not None:
         text = N_("diameter of the shaft of cam %(cam)s")
@@ -289,3 +295,7 @@ def _curved(found: CamFound) -> Iterator[Value]:
         text = N_("least radius of curvature of the pitch curve where the profile is convex")
         pitch = of(found, "cam_rho_pitch", Symbol("rho", f"{MIN},{PITCH}"), "m", text, "mm")
         yield pitch.value(found.least.value + found.cam.roller, found.least.turned)
+    if (hollow := found.hollow) is not None:
+        text = N_("least radius of curvature of the pitch curve where it is hollow")
+        of_wall = of(found, "cam_rho_hollow", Symbol("rho", HOLLOW), "m", text, "mm")
+        yield of_wall.value(hollow.value, hollow.turned)

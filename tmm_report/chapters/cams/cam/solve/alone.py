@@ -42,6 +42,6 @@ class Found(Cams):
 
 def solve(given: Given) -> Found:
     turn = whole_turn(given.cam, given.sense, given.table, given.diagram, given.omega)
-    found = replace(pair(given.cam, turn, LETTERS), shaft=given.shaft)
+    found = replace(pair(given.cam, turn, LETTERS), shaft=given.shaft, groove=given.groove)
     moving = np.flatnonzero(np.abs(found.table.first[: turn.distinct]) > 1e-9 * max(abs(found.lift), 1e-9))
     return Found((found,), (making(given, found),), int(moving[0]) if moving.size else 0)

@@ -39,6 +39,7 @@ Array = Any
 Ends = tuple[Extreme, Extreme]
 BELOW = 1e-3  # of the lift: a spline that goes below its table by less does not
 STILL = 1e-6  # of the cam: so near its axis a centre of curvature is on it
+FLAT = 1e3  # of the cam: what has a greater radius of curvature is not hollow
 EQUAL = 1e-9  # of a size: two that differ by less are one
 KINDS: tuple[Kind, Kind] = ("rise", "return")
 SHOCK = 1e-6  # of the largest: a derivative that differs by less on both sides of a break does not jump
@@ -100,6 +101,7 @@ class CamFound:
     least: Extreme
     ends: tuple[Ends, Ends, Ends]
     shaft: float | None = None  # diameter of the cam's, m
+    groove: bool = False  # whether the roller runs between two walls
 
     def at(self, turned: Array) -> Lifted:
         """At angles turned from position 0, rad."""
@@ -227,7 +229,22 @@ class CamFound:
         """By the rules of guides; None without a roller, and of a profile that is nowhere convex."""
         if not self.cam.roller or not np.isfinite(self.least.value):
             return None
-        return roller_limits(self.pitch_base, self.least.value + self.cam.roller)
+        hollow = np.inf if self.hollow is None else self.hollow.value
+        return roller_limits(self.pitch_base, self.least.value + self.cam.roller, hollow)
+
+    @cached_property
+    def hollow(self) -> Extreme | None:
+        """In a groove the least radius of curvature of the pitch curve where it is concave, m, which its outer wall
+        follows; None where it is nowhere."""
+        if not self.groove:
+            return None
+
+        def deep(turned: Array) -> Array:
+            radius = self.cam.contact(self.phi(turned)).radius
+            return np.where(radius < 0, radius, -np.inf)[None]
+
+        (found,) = greatest(deep, searched(self.turn))
+        return Extreme(-found.value, found.turned) if -found.value < FLAT * self.cam.size else None
 
     @cached_property
     def jerk(self) -> Extreme | None:
