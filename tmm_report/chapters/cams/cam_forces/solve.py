@@ -17,6 +17,7 @@ from tmm_report.chapters.cams.cam.given import Forces as Given
 from tmm_report.chapters.cams.cam.given import SpringAsked
 from tmm_report.chapters.cams.cam.solve.alone import Found as CamAlone
 from tmm_report.chapters.cams.cam.solve.found import CamFound
+from tmm_report.chapters.cams.cam.solve.lifting import BESIDE
 from tmm_report.mechanics.calculus.panels import Panels
 from tmm_report.mechanics.cams import spring
 from tmm_report.mechanics.cams.extremes import Extreme
@@ -30,7 +31,6 @@ Array = Any
 NOTHING = 1e-9  # of the largest: what is rounding
 Kind = Literal["chosen", "constant", "unloaded", "half"]
 HALF = 0.5
-BESIDE = 2e-4  # rad: so little before a break the curve of the piece that ends there stands, 0.01 mm on paper
 
 
 class Held(NamedTuple):
@@ -137,11 +137,7 @@ class Found:
 
     def ends(self, values: Array) -> tuple[Extreme, Extreme] | None:
         """Least and greatest over the turn of what is known everywhere."""
-        values = self._on(values)
-        if not np.isfinite(values).all():
-            return None
-        (low, at), (high, there) = self.over.extremes(values)
-        return Extreme(low, at), Extreme(high, there)
+        return _ends(self.over, self._on(values))
 
     @cached_property
     def needed(self) -> tuple[Extreme, Extreme]:
@@ -198,8 +194,8 @@ class Found:
             )
             rows = np.flatnonzero(within)
             own = Panels(self.over.edges[rows[0] : rows[-1] + 2], self.over.order)
-            needed = _within(own, self._on(self.whole.parts.whole)[rows])
-            torque = _within(own, self._on(self.whole.pressed.torque)[rows])
+            needed = _ends(own, self._on(self.whole.parts.whole)[rows])
+            torque = _ends(own, self._on(self.whole.pressed.torque)[rows])
             assert needed is not None
             found.append(Ends(k, needed, torque))
         return tuple(found)
@@ -236,7 +232,8 @@ class Found:
             yield Message(text, torque)
 
 
-def _within(panels: Panels, values: Array) -> tuple[Extreme, Extreme] | None:
+def _ends(panels: Panels, values: Array) -> tuple[Extreme, Extreme] | None:
+    """Least and greatest over panels; None where something is not known."""
     if not np.isfinite(values).all():
         return None
     (low, at), (high, there) = panels.extremes(values)
