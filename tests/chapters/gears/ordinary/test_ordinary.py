@@ -150,12 +150,10 @@ def test_the_chain_has_an_even_number_of_links_near_the_distance():
     assert solve({"kind": "chain", "teeth": [25, 60], "pitch": "10 mm"}).stages[0].s.number("a_about") == 0.4
 
 
-@pytest.mark.parametrize("hand", ["right", "left"])
-@pytest.mark.parametrize("place", ["above", "below"])
-def test_the_wheel_turns_as_the_thread_drives_it(hand, place):
-    """In space: the worm along x, turning counter-clockwise as seen from its left end; a point of its thread at the
-    wheel, held back from sliding along the tooth, moves the tooth along the axis."""
-    found = solve(WORM | {"hand": hand, "worm": place}).stages[0]
+def turned_by_worm(hand, place):
+    """How the wheel turns, > 0: counter-clockwise to the reader. In space: the worm along x, turning counter-clockwise
+    as seen from its left end; a point of its thread at the wheel, held back from sliding along the tooth, moves the
+    tooth along the axis."""
     spin, up = np.array([-1.0, 0, 0]), -1.0 if place == "above" else 1.0  # the wheel lies that way
     contact = np.array([0, up, 0])
     rubbing = np.cross(spin, contact)  # velocity of the worm's point there
@@ -167,9 +165,15 @@ def test_the_wheel_turns_as_the_thread_drives_it(hand, place):
     along = float(np.linalg.solve(np.array([[1, tooth[0]], [0, tooth[2]]]), [0, rubbing[2]])[1])
     forth = -along * tooth[0]
     wheel = np.cross([0, 0, 1], -contact)[0]  # of the point at the worm where the wheel turns about +z
-    turns = forth / wheel  # > 0: counter-clockwise to the reader
+    return forth / wheel
+
+
+@pytest.mark.parametrize("hand", ["right", "left"])
+@pytest.mark.parametrize("place", ["above", "below"])
+def test_the_wheel_turns_as_the_thread_drives_it(hand, place):
+    found = solve(WORM | {"hand": hand, "worm": place}).stages[0]
     # turned about the line of centres, the reader's side of the wheel looks to the output, at the right
-    seen_from_left = -turns
+    seen_from_left = -turned_by_worm(hand, place)
     assert np.sign(seen_from_left) == found.given.sense == np.sign(found.ratio)
 
 

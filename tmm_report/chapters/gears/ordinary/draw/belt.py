@@ -59,12 +59,14 @@ def _driven(found: Found, title: str, pen: Pen) -> Drawing:
 def _strands(one: float, two: float, far: float, crossed: bool, pen: Pen) -> list[Item]:
     """Both strands and the arcs about the pulleys; thin radii to the points where a belt leaves."""
     theta = math.asin(((one + two) if crossed else (two - one)) / far)
+    start = (
+        math.pi / 2 - theta if crossed else math.pi / 2 + theta
+    )  # where the upper strand leaves the driving pulley
     items: list[Item] = []
     for side in (1, -1):
-        leave = cmath.rect(1, side * (math.pi / 2 + theta))
+        leave = cmath.rect(1, side * start)
         meet = -leave if crossed else leave
         ends = one * leave, far + two * meet
         items += [line(*ends, pen), line(0j, ends[0], THIN), line(complex(far), ends[1], THIN)]
-    start = math.pi / 2 + theta
     met = math.pi - start if crossed else start
     return [*items, Arc(0j, one, start, 2 * math.pi - start, pen), Arc(complex(far), two, met, -met, pen)]
