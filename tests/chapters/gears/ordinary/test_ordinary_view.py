@@ -1,11 +1,24 @@
 """What the note says of an ordinary stage: which numbers are given, which are taken and how; its tables."""
 
+import math
 import re
 
 import pytest
 from test_drive import PLANETARY, solve
-from test_ordinary import BEVEL, CHAIN, OPEN, RINGED, TRAIN, WORM, V
+from test_ordinary import (
+    BEVEL,
+    CHAIN,
+    EVERY,
+    LOCKED,
+    OPEN,
+    RINGED,
+    TRAIN,
+    WORM,
+    V,
+    turned_by_worm,
+)  # fmt: skip
 
+from tmm_report.chapters.gears.ordinary.quantities import TITLES
 from tmm_report.chapters.gears.ordinary.view import OrdinaryView
 from tmm_report.i18n import Translator
 from tmm_report.report.formats import Html
@@ -72,3 +85,68 @@ def test_a_missed_ratio_is_cured_by_what_the_stages_have():
     rough = [PLANETARY | {"ratio": 6.7}, PLANETARY | {"ratio": 6.7}]
     (said,) = (one for one in solve(*rough, tolerance="2 %").doubts if one.path == ("drive", "tolerance"))
     assert "tolerance: 1 % in the planetary stages" in said.text()
+
+
+PAIRS = {
+    "pair": {"kind": "spur", "teeth": [20, 60]},
+    "ring": {"kind": "spur", "teeth": [20, 60], "mesh": "internal"},
+}
+
+
+@pytest.mark.parametrize("name", [*EVERY, *PAIRS])
+def test_the_sense_is_told_in_words_as_it_is(name):
+    """Of a worm by hand and place; of others both shafts turn in one sense, or not."""
+    stage = {**EVERY, **PAIRS}[name]
+    shown = view(stage)
+    text = str(shown.introduced())
+    if shown.found.kind == "worm":
+        return
+    opposite, same = "opposite sense" in text, "in the same sense" in text
+    if "kind" in stage and stage["kind"] == "train":
+        assert not opposite and not same and ("ring" in text) == (name == "ringed")
+    else:
+        assert (opposite, same) == (shown.found.given.sense < 0, shown.found.given.sense > 0)
+    title = TITLES[shown.found.given.variety]
+    assert ("inner" in title or "ring" in title) == (name in ("inner", "ring", "ringed"))
+    assert ("one within the other" in text) == (name == "inner")
+
+
+@pytest.mark.parametrize("hand", ["right", "left"])
+@pytest.mark.parametrize("place", ["above", "below"])
+def test_the_wheel_of_a_worm_is_told_to_turn_as_it_does(hand, place):
+    text = str(view(WORM | {"hand": hand, "worm": place}).introduced())
+    assert f"The thread is {hand}-handed, the worm lies {place} the wheel." in text
+    assert ("the wheel turns counter-clockwise, too" in text) == (turned_by_worm(hand, place) > 0)
+    assert ("the wheel turns clockwise" in text) == (turned_by_worm(hand, place) < 0)
+
+
+def test_the_links_are_told_to_be_even():
+    (said,) = (str(text) for group in view(CHAIN).groups() for text in group.taken if "links" in str(text))
+    assert said.startswith("Taken, an even whole number")
+
+
+@pytest.mark.parametrize(
+    ("stage", "wrap", "least"),
+    [
+        (OPEN, "alpha1", 150),
+        (OPEN | {"driven": "60 mm", "distance": "90 mm"}, "alpha2", 150),
+        (OPEN | {"distance": "250 mm"}, "alpha1", 150),
+        (V, "alpha1", 120),
+        (V | {"driven": "400 mm", "ratio": 4, "distance": "260 mm", "length": None}, "alpha1", 120),
+    ],
+)
+def test_the_lesser_wrap_is_judged_by_the_rule(stage, wrap, least):
+    shown = view({key: value for key, value in stage.items() if value is not None})
+    s = shown.found.s
+    other = "alpha2" if wrap == "alpha1" else "alpha1"
+    assert s.number(wrap) < s.number(other)
+    (text,) = shown.verdicts()
+    assert told(text) == {wrap}
+    word = "more than" if s.number(wrap) * 180 / math.pi >= least else "less than"
+    assert f"{word} the {least}° of the rule" in str(text)
+
+
+def test_a_worm_is_told_to_lock_where_it_does():
+    (runs,), (locks,) = view(WORM).verdicts(), view(LOCKED).verdicts()
+    assert "does not lock itself" in str(runs) and "the worm locks itself" in str(locks)
+    assert told(runs) == told(locks) == {"gamma", "phi"}
