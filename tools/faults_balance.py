@@ -439,7 +439,7 @@ FAULTS = (
     # --- quality over the shifts ---
     Fault("curvatures of an internal pair added", QUALITY, "other = pair.side * pair.line - one",
           "other = pair.line - one", tests=QUALITIES),
-    Fault("pressure of helical teeth by the transverse radii", QUALITY, "pair.m * np.cos(beta_b) *", "pair.m *",
+    Fault("pressure of helical teeth by the transverse radii", QUALITY, "pair.m * np.cos(pair.beta_b) *", "pair.m *",
           tests=QUALITIES),
     Fault("the bound of the shifts outside them", QUALITY, "grid[[above[0] - 1, above[0]]]",
           "grid[[above[0], above[0] + 1]]", tests=QUALITIES),

@@ -16,7 +16,8 @@ FAULTS = tuple(
     Fault(f"gears' page: {name}", file, old, new, HOIST, by)
     for by, name, file, old, new in (
         (OF_TRAINS, "letters of the speeds exchanged", TRAIN + "view/tables.py",
-         '"omega": Symbol("omega"),\n            "n": Symbol("n")', '"n": Symbol("omega"),\n            "omega": Symbol("n")'),
+         '"omega": Symbol("omega"),\n            "n": Symbol("n")', '"n": Symbol("omega"),\n           '
+                                                                    ' "omega": Symbol("n")'),
         (OF_TRAINS, "the driving wheel is the driven one", TRAIN + "quantities.py",
          "mesh.i if x > 0 else mesh.j if x < 0", "mesh.j if x > 0 else mesh.i if x < 0"),
         (OF_TRAINS, "centre distances exchanged", TRAIN + "steps.py",
@@ -34,16 +35,21 @@ FAULTS = tuple(
         (OF_TRAINS, "shares with losses under those without", TRAIN + "view/tables.py",
          'page.cell(table, "share_0", k),', 'page.cell(table, "share", k),'),
         (OF_TRAINS, "the first motion's numbers in every row", TRAIN + "view/tables.py",
-         'page.cell(table, "omega", row),\n                page.cell(table, "n", row),\n            ]\n            for row, name in',
-         'page.cell(table, "omega", 0),\n                page.cell(table, "n", 0),\n            ]\n            for row, name in'),
+         'page.cell(table, "omega", row),\n                page.cell(table, "n", row),\n            ]\n        '
+         '    for row, name in',
+         'page.cell(table, "omega", 0),\n                page.cell(table, "n", 0),\n            ]\n           '
+         ' for row, name in'),
         (OF_TRAINS, "speeds of a motion as of the first", TRAIN + "steps.py",
-         "row.omega, row.n = speed[m.name], speed[m.name]", "row.omega, row.n = self.found.speed[m.name], speed[m.name]"),
+         "row.omega, row.n = speed[m.name], speed[m.name]", "row.omega, row.n = self.found.speed[m.name],"
+                                                            " speed[m.name]"),
         (OF_TRAINS, "a case's known speed of the motion before", TRAIN + "view/train.py",
-         "for number, case in enumerate(self.found.given.cases, 1)", "for number, case in enumerate(self.found.given.cases, 0)"),
+         "for number, case in enumerate(self.found.given.cases, 1)", "for number, case in"
+                                                                     " enumerate(self.found.given.cases, 0)"),
         (OF_TRAINS, "the held are called driven", "templates/chapters/gears/train.j2",
          't("Held: %(fixed)s.", fixed=view.names(g.fixed))', 't("Held: %(fixed)s.", fixed=view.names(g.input))'),
         (OF_TRAINS, "solutions' ratio under their deviation", TRAIN + "quantities.py",
-         "miss = 100 * (np.asarray(of.ratio) / task.ratio - 1)", "miss = 100 * (task.ratio / np.asarray(of.ratio) - 1)"),
+         "miss = 100 * (np.asarray(of.ratio) / task.ratio - 1)", "miss = 100 * (task.ratio /"
+                                                                 " np.asarray(of.ratio) - 1)"),
         (OF_TRAINS, "rejected sets by another reason", TRAIN + "quantities.py",
          'column(list(counts.values()))', 'column(list(reversed(counts.values())))'),
         (OF_TRAINS, "velocities of the diagram the other way", TRAIN + "draw/diagrams.py",
@@ -55,7 +61,9 @@ FAULTS = tuple(
         (OF_TRAINS, "arrows of what is driven point out", TRAIN + "draw/scheme.py",
          "Arrow(tip, at + way, THIN) if into", "Arrow(tip, at + way, THIN) if not into"),
         (OF_TRAINS, "the frame holds what turns", TRAIN + "draw/scheme.py",
-         "if body in self.held and not self._only_ground(body):\n                ends = [end", "if body not in self.held:\n                ends = [end"),
+         "if body in self.held and not"
+         " self._only_ground(body):\n                ends = [end", "if body not in self.held:\n               "
+                                                                   " ends = [end"),
         (OF_TRAINS, "assembly of a row that turns otherwise", TRAIN + "view/train.py",
          "number = below - above if sign > 0", "number = below - above if sign < 0"),
         (OF_TRAINS, "distance of a ring by the sum", TRAIN + "view/train.py",
@@ -64,10 +72,11 @@ FAULTS = tuple(
          "above, below = one - moving, other - moving", "above, below = one - moving, other"),
         (OF_TRAINS, "forces of a mesh by its other wheel", TRAIN + "steps.py",
          "found.places.radius[mesh.i] * sharing", "found.places.radius[mesh.j] * sharing"),
-        (OF_TRAINS, "power of a mesh under its loss", "tmm_report/report/paper/power_flow.py",
+        (OF_TRAINS, "power of a mesh under its loss", "tmm_report/chapters/gears/power_flow.py",
          'for key in ("N", "N_fr", "eta")', 'for key in ("N_fr", "N", "eta")'),
         (OF_TRAINS, "what circulates told of no ends", TRAIN + "steps.py",
-         "ends = (*found.given.input, *found.given.output)\n        s.P_circ", "ends = found.given.output\n        s.P_circ"),
+         "ends = (*found.given.input,"
+         " *found.given.output)\n        s.P_circ", "ends = found.given.output\n        s.P_circ"),
         (OF_TRAINS, "a member's mates on its shaft left out", TRAIN + "steps.py",
          'm.body == body and m.name != name)', 'm.body == body and m.name == name)'),
         (FITTED, "least and greatest limit exchanged", SPUR + "loosening.py",
@@ -99,7 +108,8 @@ FAULTS = tuple(
         (SHIFTED, "a bound's side exchanged", SPUR + "qualities.py",
          '(("from", one.low), ("to", one.high))', '(("to", one.low), ("from", one.high))'),
         (SHIFTED, "words of the sides exchanged", SPUR + "words.py",
-         '{"from": N_("no less than"), "to": N_("no greater than")}', '{"to": N_("no less than"), "from": N_("no greater than")}'),
+         '{"from": N_("no less than"), "to": N_("no greater than")}', '{"to": N_("no less than"), "from":'
+                                                                      ' N_("no greater than")}'),
         (SHIFTED, "contact ratios of the ends exchanged", SPUR + "qualities.py",
          "s.eps_least, s.eps_most = (float", "s.eps_most, s.eps_least = (float"),
         (SHIFTED, "another wheel's curve", SPUR + "view/quality.py",
@@ -108,6 +118,8 @@ FAULTS = tuple(
          'v.lengths(t("Contact ratio, tips and clearance of the fillets of pair %(name)s over the shift',
          'v.contacts(t("Contact ratio, tips and clearance of the fillets of pair %(name)s over the shift'),
         (SHIFTED, "the counting of sliding said otherwise", SPUR + "words.py",
-         '"own": N_(\n        "Specific sliding is counted by the velocity of the wheel', '"size": N_(\n        "Specific sliding is counted by the velocity of the wheel'),
+         '"own": N_(\n        "Specific sliding'
+         ' is counted by the velocity of the wheel', '"size": N_(\n        "Specific sliding is counted by the'
+                                                     ' velocity of the wheel'),
     )
 )  # fmt: skip

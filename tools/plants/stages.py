@@ -44,7 +44,8 @@ FAULTS = (
     Fault("stages: the strands drawn leaning the other way", ORDINARY + "draw/belt.py",
           "math.pi / 2 - theta if crossed else", "math.pi / 2 + theta if crossed else", CHAIN, STAGES),
     Fault("stages: angles of the cones exchanged in the drawing", ORDINARY + "draw/cones.py",
-          'math.radians(n("delta1")), math.radians(n("delta2"))', 'math.radians(n("delta2")), math.radians(n("delta1"))',
+          'math.radians(n("delta1")), math.radians(n("delta2"))', 'math.radians(n("delta2")),'
+                                                                  ' math.radians(n("delta1"))',
           WINCH, STAGES),
     Fault("stages: cones exchanged in the scheme", DRIVE + "draw/crossing.py",
           'for key in ("delta1", "delta2"))', 'for key in ("delta2", "delta1"))', WINCH, STAGES),
@@ -53,7 +54,9 @@ FAULTS = (
     Fault("stages: senses of a worm exchanged in words", ORDINARY + "view.py", "WAY[given.sense]",
           "WAY[-given.sense]", WINCH, STAGES),
     Fault("stages: place and hand of a worm exchanged in words", ORDINARY + "words.py",
-          '"right above": N_("The thread is right-handed, the worm lies above', '"right above": N_("The thread is left-handed, the worm lies above', WINCH, STAGES),
+          '"right above": N_("The thread is'
+          ' right-handed, the worm lies above', '"right above": N_("The thread'
+                                                ' is left-handed, the worm lies above', WINCH, STAGES),
     Fault("stages: a worm that locks told to run back", ORDINARY + "view.py", "if self.found.locks:",
           "if not self.found.locks:", WINCH, STAGES),
     Fault("stages: the wrap told of the pulley that is wrapped more", ORDINARY + "view.py",
@@ -64,11 +67,14 @@ FAULTS = (
     Fault("stages: the least wrap of V-belts that of flat ones", ORDINARY + "view.py", '"belt V": 120',
           '"belt V": 150', CHAIN, STAGES),
     Fault("stages: outer and inner pairs exchanged in words", ORDINARY + "quantities.py",
-          '"pair external": N_("pair of wheels, outer mesh")', '"pair external": N_("pair of wheels, inner mesh")', BELT,
+          '"pair external": N_("pair of wheels, outer mesh")', '"pair external": N_("pair of wheels, inner mesh")',
+          BELT,
           STAGES),
     Fault("stages: outer and inner friction exchanged in words", ORDINARY + "words.py",
-          '"Friction wheels %(one)s and %(two)s are pressed together, one within the other; wheel %(one)s drives, both "\n        "turn in the same sense."',
-          '"Friction wheels %(one)s and %(two)s are pressed together; wheel %(one)s drives, wheel %(two)s turns in the "\n        "opposite sense."', CHAIN,
+          '"Friction wheels %(one)s and %(two)s are pressed together, one within the other; wheel %(one)s'
+          ' drives, both "\n        "turn in the same sense."',
+          '"Friction wheels %(one)s and %(two)s are pressed together; wheel %(one)s drives, wheel %(two)s turns'
+          ' in the "\n        "opposite sense."', CHAIN,
           STAGES),
     Fault("stages: an even number of links told as of the row", ORDINARY + "parallel.py",
           'found["links"] = "even"', 'found["links"] = "row"', CHAIN, STAGES),
@@ -76,18 +82,24 @@ FAULTS = (
     Fault("power: the first shaft's formulas under the second's name", "templates/chapters/gears/drive/power.j2",
           "group(w.shaft_formulas(1))", "group(w.shaft_formulas(0))", BELT, POWERS),
     Fault("power: a motor's verdict of its neighbour", POWER + "view.py",
-          'page.word(self.t(VERDICTS[table["verdict"].values[row]]), table', 'page.word(self.t(VERDICTS[table["verdict"].values[row - 1]]), table', BELT, POWERS),
+          'page.word(self.t(VERDICTS[table'
+          '["verdict"].values[row]]), table', 'page.word(self.t(VERDICTS[table["'
+                                              'verdict"].values[row - 1]]), table', BELT, POWERS),
     Fault("power: the load of a motor of its neighbour", POWER + "view.py",
-          'page.cell(table, key, row, digits=4) for key in ("P", "n", "u", "load")', 'page.cell(table, key, max(row - 1, 0), digits=4) for key in ("P", "n", "u", "load")', BELT, POWERS),
+          'page.cell(table, key, row,'
+          ' digits=4) for key in ("P", "n", "u", "load")', 'page.cell(table, key, max(row - 1, 0), digits=4)'
+                                                           ' for key in ("P", "n", "u", "load")', BELT, POWERS),
     Fault("power: parts of the losses by their neighbours' names", POWER + "view.py",
           'PARTS[table["part"].values[row]]', 'PARTS[table["part"].values[row - 1]]', BELT, POWERS),
     Fault("power: a stage of the losses by another stage's wheels", POWER + "view.py",
           'wheels=table["wheels"].values[row])', 'wheels=table["wheels"].values[0])', BELT, POWERS),
     Fault("power: slow and fast exchanged in words", POWER + "view.py",
           'key = "equal" if split is None else "slow" if split.slow else "fast" if split.fast else "step"',
-          'key = "equal" if split is None else "fast" if split.slow else "slow" if split.fast else "step"', BELT, POWERS),
+          'key = "equal" if split is None else "fast" if'
+          ' split.slow else "slow" if split.fast else "step"', BELT, POWERS),
     Fault("power: before and after the bearings exchanged in words", "templates/chapters/gears/drive/power.j2",
-          'if w.power.given.shafts.at == "after bearings" else', 'if w.power.given.shafts.at != "after bearings" else', BELT,
+          'if w.power.given.shafts.at == "after bearings" else', 'if w.power.given.shafts.at != "after bearings" else',
+          BELT,
           POWERS),
     Fault("power: rated and needed power exchanged in words", "templates/chapters/gears/drive/power.j2",
           "if w.power.rated else", "if not w.power.rated else", BELT, POWERS),

@@ -47,7 +47,9 @@ def drawn(random: Random, end: str, swings: bool) -> Cam | None:
     else:
         one |= {"lift": f"{random.uniform(5, 30):.4f} mm", "offset": f"{random.uniform(-15, 15):.4f} mm"}
     try:
-        return built(CamAloneModel.model_validate(one)).cam  # as the file's block is, without the file: 2000 times
+        return built(
+            CamAloneModel.model_validate(one)
+        ).cam  # as the file's block is, without the file: 2000 times
     except Wrong:  # undercut, out of reach, not convex
         return None
 

@@ -18,6 +18,7 @@ from tmm_report.chapters.gears.drive.steps import whole
 from tmm_report.chapters.gears.ordinary import solve as ordinary
 from tmm_report.chapters.gears.ordinary.quantities import TITLES
 from tmm_report.chapters.gears.planetary.solve import stage as planetary
+from tmm_report.chapters.gears.power_flow import power_flow
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
@@ -26,7 +27,6 @@ from tmm_report.quantity.formula import Formula
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
-from tmm_report.report.paper.power_flow import power_flow
 from tmm_report.report.part import Failed, Inner, Part
 
 SCHEME = N_("Kinematic scheme of the drive")

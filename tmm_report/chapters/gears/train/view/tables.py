@@ -7,6 +7,7 @@ from typing import Any
 
 from markupsafe import Markup
 
+from tmm_report.chapters.gears.power_flow import power_flow
 from tmm_report.chapters.gears.train.given import LOADS
 from tmm_report.chapters.gears.train.quantities import tables
 from tmm_report.chapters.gears.train.solve.train import Found
@@ -18,7 +19,6 @@ from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper import layout
 from tmm_report.report.paper.layout import Cell, worded
-from tmm_report.report.paper.power_flow import power_flow
 
 SHOWN = 10  # solutions of the search
 REASONS = {
