@@ -27,9 +27,10 @@ from once import once
 from tmm_report import solve
 from tmm_report.commands.assemblies.page import page
 from tmm_report.commands.assemblies.ways import find
-from tmm_report.course import Results, loads
+from tmm_report.course import Results
 from tmm_report.i18n import Translator
 from tmm_report.languages import LANGUAGES
+from tmm_report.loading import loads
 
 OPTIONS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-extensions",

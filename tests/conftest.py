@@ -11,7 +11,7 @@ import pytest
 from hypothesis import settings
 
 from tmm_report import backwards, course
-from tmm_report.course import load
+from tmm_report.loading import load
 
 pytest_plugins = ["cpu", "exhaustive"]
 

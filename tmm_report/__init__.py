@@ -33,7 +33,7 @@ def load(path: str | os.PathLike[str]) -> Variant:
     A mechanism or gears that the variant has not are None: `variant.lever`, `variant.drive`, `variant.eccentric`.
     Raises `problems.ProblemError` with all mistakes of the file, each with its line, column and key.
     """
-    from tmm_report.course import load as read
+    from tmm_report.loading import load as read
 
     return read(path)
 

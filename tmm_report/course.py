@@ -6,14 +6,11 @@ it (block, quantities, view) stands in its folder and is found by the name of it
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import field, fields, replace
-from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from tmm_report import yamlread
 from tmm_report.chapters.lever.friction.given import Friction
 from tmm_report.chapters.lever.kinematics.given import Positions, Way
 from tmm_report.chapters.lever.kinetostatics.given import Loads
@@ -24,7 +21,7 @@ from tmm_report.chapters.lever.readings.given import Readings
 from tmm_report.chapters.title.given import Note, Title
 from tmm_report.chapters.title.pieces import DEPTHS as DEPTHS
 from tmm_report.chapters.title.pieces import Depth as Depth
-from tmm_report.languages import DEFAULT, DecimalSign, stated_in
+from tmm_report.languages import DEFAULT, DecimalSign
 from tmm_report.mechanics.lever.mechanism import Mechanism
 from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.records import dataclass
@@ -63,7 +60,6 @@ if TYPE_CHECKING:
     from tmm_report.chapters.machine.travel import solve as travel
     from tmm_report.chapters.machine.vibration import solve as vibration
     from tmm_report.chapters.machine.wear import solve as wear
-    from tmm_report.variant.model import Read, Rooms
 
 
 class Late:
@@ -244,15 +240,20 @@ def solve(variant: Variant, moved: Moved | None = None) -> Results:
     try:
         return _solved(variant, moved)
     except ProblemError as error:
-        others = (problem for problem in _of_gears(variant) if problem not in error.problems)
+        others = (problem for problem in gears_unsolvable(variant) if problem not in error.problems)
         raise ProblemError([*error.problems, *others]) from None
 
 
-def _of_gears(variant: Variant) -> Iterator[Problem]:
+def gears_unsolvable(variant: Variant) -> Iterator[Problem]:
     """What cannot be solved of gears, whatever becomes of the other chapters."""
     yield from _unsolvable(variant.train, lambda given: train.solve(given))
     yield from _unsolvable(variant.drive, lambda given: drive.solve(given))
     yield from _unsolvable(variant.eccentric, lambda given: eccentric.solve(given))
+
+
+def lever_unsolvable(given: LeverGiven) -> list[Problem]:
+    """What cannot be solved of the structure and the motion of a lever mechanism."""
+    return _unsolvable(given, lambda one: kinematics.solve(one.positions, structure.solve(one.mechanism)))
 
 
 def _unsolvable(given: Any, run: Callable[[Any], object]) -> list[Problem]:
@@ -405,96 +406,3 @@ def wing(chapter: str) -> str:
     if chapter in (INITIAL_DATA, *BEFORE[1:], *LEVER):  # the first, find, is of no wing: it asks all of them
         return "lever."
     return "gears." if chapter in GEARS else "machine." if chapter in OTHERS[1:] else ""
-
-
-# ---------------------------------------------------------------- from the text of a variant
-
-
-def load(path: str | os.PathLike[str]) -> Variant:
-    """Read a variant's file. Raises ProblemError with all the mistakes of the file."""
-    return loads(*stated(path))
-
-
-def stated(path: str | os.PathLike[str]) -> tuple[bytes, str]:
-    """A variant's text, and the name of its file for messages. Raises ProblemError."""
-    file = yamlread.file_label(path)
-    return yamlread.opened(path, file, yamlread.BYTES), file
-
-
-def loads(text: str | bytes, file: str = "") -> Variant:
-    """The variant that a text states; `file` is its name for messages. Raises ProblemError."""
-    soft: list[Problem] = []
-    try:
-        return _variant(yamlread.loads(text, file, soft), file, soft)
-    except ProblemError as error:
-        raise ProblemError(error.problems, stated_in(text)) from None
-
-
-def schema() -> dict[str, Any]:
-    """The JSON Schema (draft 2020-12) of the format, for editors."""
-    from tmm_report.variant.editor import schema_of  # only `tmm-report schema` needs it
-
-    kinds = "a lever mechanism, a cam, a gear train or drive, an eccentric mechanism, or several of them"
-    return schema_of([block.Block for block in _rooms().all()], f"A variant of a course project: {kinds}.")
-
-
-def _rooms() -> Rooms:
-    """The blocks of all chapters; that of a gear chapter is loaded only for a file that has it."""
-    from tmm_report.variant.model import Rooms
-
-    beside = {name: partial(room, name, "block") for name in OTHERS}
-    return Rooms([room(name, "block") for name in ("title", *LEVER)], beside)
-
-
-def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Variant:
-    from tmm_report.chapters.lever.structure.block import stated
-    from tmm_report.variant.reading import read
-
-    found = read(document, file, soft, _rooms(), _further)
-    if "drive" in found.data and stated(found):
-        found = _geared(found, document, file)
-    made = Variant(
-        lever=LeverGiven(**_given(LEVER, found)) if stated(found) else None,
-        **_given(["title", *(name for name in OTHERS if name in found.data)], found),
-        places=document.places,
-        file=file,
-        doubts=found.doubts,
-    )
-    if (asked := made.find) is not None:
-        made = replace(made, find=replace(asked, restated=partial(_restated, document, file, asked)))
-    return made
-
-
-def _restated(document: yamlread.Document, file: str, asked: find.Given, numbers: Sequence[float]) -> Variant:
-    """The variant with numbers in the places of the unknowns. Raises ProblemError for one that may not stand there."""
-    data, paths = asked.put(document.data, numbers), {one.path for one in asked.unknowns}
-    raw = {path: text for path, text in document.raw.items() if path not in paths}
-    rest = {key: value for key, value in data.items() if key != "find"}
-    return _variant(replace(document, data=rest, raw=raw), file, [])
-
-
-def _further(read: Read) -> Iterator[Problem]:
-    """What cannot be solved of the parts of a file with mistakes that have none themselves."""
-    from tmm_report.chapters.lever.structure.block import stated
-
-    if stated(read) and not any(map(read.is_broken, ("mechanism", "positions", "drawing", "synthesis"))):
-        lever = LeverGiven(**_given(("structure", "kinematics"), read))
-        yield from _unsolvable(lever, lambda x: kinematics.solve(x.positions, structure.solve(x.mechanism)))
-    gears = [one for one in ("train", "drive", "eccentric") if one in read.data and not read.is_broken(one)]
-    yield from _of_gears(Variant(**_given(gears, read)))
-
-
-def _geared(found: Read, document: yamlread.Document, file: str) -> Read:
-    """The driving link with the speed of the drive's output, where it is to have that. Raises ProblemError."""
-    from tmm_report.chapters.gears.drive.block import geared
-
-    try:
-        return geared(found)
-    except ProblemError as error:
-        problems = [yamlread.located(problem, document.places, file) for problem in error.problems]
-        raise ProblemError(problems) from None
-
-
-def _given(names: Iterable[str], read: Read) -> dict[str, Any]:
-    """What the chapters are given, by the fields of the records (a test holds their types against them)."""
-    return {key: value for name in names for key, value in room(name, "block").given(read).items()}

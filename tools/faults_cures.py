@@ -139,15 +139,15 @@ FAULTS = (
     ),
     Fault(
         "mistakes of a file told in the system's language",
-        "tmm_report/course.py",
+        "tmm_report/loading.py",
         "raise ProblemError(error.problems, stated_in(text)) from None",
         "raise ProblemError(error.problems) from None",
         tests=("tests/variant/test_layers_of_mistakes.py",),
     ),
     Fault(
         "gears that cannot be hidden behind a mechanism that cannot be",
-        "tmm_report/course.py",
-        "    yield from _of_gears(Variant(**_given(gears, read)))",
+        "tmm_report/loading.py",
+        "    yield from gears_unsolvable(Variant(**_given(gears, read)))",
         "    yield from ()",
         tests=("tests/variant/test_layers_of_mistakes.py",),
     ),

@@ -18,7 +18,7 @@ from pathlib import Path
 from benchmarks.measuring import stored
 from benchmarks.measuring.lines import Line, Panel, draw
 from benchmarks.measuring.timing import interleaved
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.mechanics.machine.run.law import run
 from tmm_report.mechanics.machine.run.motion_law import Goal
 from tmm_report.mechanics.rivals.run_up import RUN_UPS, STEPS, RunUpMethod, StartUp, errors, reference
@@ -38,15 +38,15 @@ dynamics:
 
 
 def machines() -> Iterator[tuple[str, StartUp]]:
-    pump = course.solve(course.load(VARIANTS / "piston_pump.yaml")).dynamics
+    pump = course.solve(loading.load(VARIANTS / "piston_pump.yaml")).dynamics
     assert pump is not None
     found = run(pump.supplied, 0.0, Goal(angle=TURNS * 2 * math.pi))
     yield f"pump, {TURNS} turns", StartUp(pump.supplied, 0.0, float(found.t[-1]))
     for name, inertia in (("shaft, load by time", "0.05"), ("the same, light: stiff", "0.002")):
-        shaft = course.solve(course.loads(SHAFT.format(inertia=inertia))).dynamics
+        shaft = course.solve(loading.loads(SHAFT.format(inertia=inertia))).dynamics
         assert shaft is not None
         yield name, StartUp(shaft.supplied, 0.0, 1.03)
-    hoist = course.solve(course.load(VARIANTS / "hoist_start.yaml")).dynamics
+    hoist = course.solve(loading.load(VARIANTS / "hoist_start.yaml")).dynamics
     assert hoist is not None
     yield "hoist", StartUp(hoist.supplied, 0.0, 0.5)
 

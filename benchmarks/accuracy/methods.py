@@ -16,7 +16,7 @@ from pathlib import Path
 
 from benchmarks.measuring import stored
 from benchmarks.measuring.lines import Line, Panel, draw
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.commands.methods.measured import Measured, measured
 from tmm_report.mechanics.rivals.model import Trial
 from tmm_report.mechanics.rivals.trials import worst
@@ -29,7 +29,7 @@ CLOSED = "groups"
 
 
 def families(name: str, quick: bool) -> Iterator[Measured]:
-    found = measured(course.solve(course.load(VARIANTS / f"{name}.yaml")), 1e-6, False, quick)
+    found = measured(course.solve(loading.load(VARIANTS / f"{name}.yaml")), 1e-6, False, quick)
     yield from (one for one in found.families if one.key in ("motion", "forces"))
 
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from benchmarks.measuring import stored
 from benchmarks.measuring.lines import Line, Panel, draw
-from tmm_report import course
+from tmm_report import course, load
 from tmm_report.chapters.lever.kinetostatics.solve.positions import breaks, loading
 from tmm_report.chapters.lever.methods.counting import MEANINGS, counting, wanted
 from tmm_report.chapters.lever.moving import Moving, inertia_parts, powers
@@ -32,7 +32,7 @@ RULES = {"smooth: reduced moment of inertia": 0, "with kinks: reduced moment of 
 
 def movings() -> Iterator[tuple[str, Moving]]:
     for path in sorted(VARIANTS.glob("*.yaml")):
-        lever = course.solve(course.load(path)).lever
+        lever = course.solve(load(path)).lever
         if lever is not None and not lever.kinematics.gaps:
             yield path.stem, Moving(lever.kinematics, lever.kinetostatics, lever.friction)
 

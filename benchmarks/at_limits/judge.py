@@ -12,7 +12,7 @@ from benchmarks.at_limits.truth import Output, Truth
 from tmm_report.chapters.lever.kinematics.checks.digits_left import digits_left
 from tmm_report.chapters.lever.kinematics.solve import positions as kinematics
 from tmm_report.chapters.lever.structure import solve as structure
-from tmm_report.course import loads
+from tmm_report.loading import loads
 
 RIGHT = {"V": 1e-8, "A": 1e-7}  # of the largest: what an extreme may be off by at a limit
 BY_DIGITS = 10.0  # times the digits that are told, beside one

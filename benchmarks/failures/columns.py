@@ -17,7 +17,7 @@ import yaml
 from benchmarks.failures.judge import NONE, REFUSED, Cell, Found, judged, usual_errors
 from benchmarks.failures.scenes import SCENES
 from benchmarks.failures.truth import GRAVITY, KINDS, Truth, truth
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.kinematics.view.positions import CORNER, LIMIT, PASSED
 from tmm_report.commands.solve import summary
 from tmm_report.mechanics.lever.forces import reactions as statics
@@ -66,7 +66,7 @@ class Solved:
 @cache
 def solved(key: str) -> Solved:
     try:
-        variant = course.loads(yaml.safe_dump(SCENES[key].variant, sort_keys=False))
+        variant = loading.loads(yaml.safe_dump(SCENES[key].variant, sort_keys=False))
         results = course.solve(variant)
     except ProblemError as error:
         return Solved(None, (), " ".join(problem.text() for problem in error.problems))

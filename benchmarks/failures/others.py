@@ -10,7 +10,7 @@ from mpmath import mp
 
 from benchmarks.failures.judge import REFUSED, RIGHT, WRONG, Cell
 from benchmarks.failures.truth import SLACK
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.mechanics.rivals.involutes import INVOLUTES
 from tmm_report.mechanics.rivals.run_up import RUN_UPS, Arrived, StartUp, errors
 
@@ -35,7 +35,7 @@ def start_ups() -> Iterator[tuple[str, dict[str, Cell]]]:
     """A rotor against a constant load, by time constants: ω = ω∞ (1 − exp(−t/τ)) exactly."""
     usual: dict[str, float] = {}
     for name, inertia in INERTIAS.items():
-        found = course.solve(course.loads(SHAFT.format(inertia=inertia))).dynamics
+        found = course.solve(loading.loads(SHAFT.format(inertia=inertia))).dynamics
         assert found is not None
         scene = StartUp(found.supplied, 0.0, TIME)
         yield (

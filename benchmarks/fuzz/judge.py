@@ -18,8 +18,9 @@ from typing import Any
 
 from tmm_report import render, solve
 from tmm_report.commands.solve import summary
-from tmm_report.course import doubts, loads
+from tmm_report.course import doubts
 from tmm_report.i18n import Translator
+from tmm_report.loading import loads
 from tmm_report.problems import Message, Problem, ProblemError
 
 # an example of keys with their values, the same in every language: mass: 2 kg, radius: 30 mm

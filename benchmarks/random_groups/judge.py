@@ -15,7 +15,7 @@ from benchmarks.random_groups.draw import Batch
 from benchmarks.random_groups.schemes import places
 from benchmarks.random_groups.search import COUNT, TURN, Interval, Truth
 from tmm_report.chapters.lever.kinematics.checks.open_cycle import gaps
-from tmm_report.course import loads
+from tmm_report.loading import loads
 from tmm_report.mechanics.lever.assembly.stated import assemble
 from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
 from tmm_report.mechanics.lever.motion import Motion

@@ -22,7 +22,7 @@ from benchmarks.measuring import stored
 from benchmarks.measuring.timing import interleaved
 from benchmarks.random_groups.draw import FAMILIES
 from benchmarks.random_groups.families import drawn
-from tmm_report.course import load, loads
+from tmm_report.loading import load, loads
 from tmm_report.mechanics.lever import motion
 from tmm_report.mechanics.lever.assembly.stated import assemble
 from tmm_report.mechanics.lever.mechanism import Driver, Link, Mechanism

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from benchmarks.measuring import stored
 from benchmarks.measuring.yardstick import Taken, in_yardsticks
-from tmm_report import course, load, render, solve
+from tmm_report import course, load, loading, render, solve
 from tmm_report.stack import solve_many
 
 VARIANTS = Path(__file__).parents[2] / "variants"
@@ -41,7 +41,7 @@ def things() -> dict[str, Callable[[], object]]:
 def _batch(text: str) -> None:
     """Variants that differ in a length, as students' do."""
     lengths = (f"B: {300 + k} mm" for k in range(BATCH))
-    for found in solve_many([course.loads(text.replace("B: 300 mm", own)) for own in lengths]):
+    for found in solve_many([loading.loads(text.replace("B: 300 mm", own)) for own in lengths]):
         assert isinstance(found, course.Results)
         render(found, "json")
 

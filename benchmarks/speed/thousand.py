@@ -20,7 +20,7 @@ from time import perf_counter, process_time
 from typing import Any, Literal
 
 from tmm_report import render, solve
-from tmm_report.course import loads
+from tmm_report.loading import loads
 from tmm_report.problems import ProblemError
 from tmm_report.running.pool import chunked, over
 from tmm_report.stack import solve_each

@@ -23,8 +23,8 @@ from tmm_report.assignments.people import students
 from tmm_report.assignments.prove import Rejection, proof
 from tmm_report.assignments.ranges import read
 from tmm_report.commands.assign import run
-from tmm_report.course import loads
 from tmm_report.intake.writing import xlsx_bytes
+from tmm_report.loading import loads
 from tmm_report.problems import Message, ProblemError
 from tmm_report.results import values
 

@@ -16,8 +16,8 @@ from test_assign import EXAMPLE, OA, assign, parameters, ranges
 
 from tmm_report.assignments.emit import emitted, pieces, scalar
 from tmm_report.assignments.table import variants_of
-from tmm_report.course import loads
 from tmm_report.intake.writing import csv_bytes, xlsx_bytes
+from tmm_report.loading import loads
 from tmm_report.problems import ProblemError
 from tmm_report.yamlread import loads as read_yaml
 

@@ -6,7 +6,7 @@ from functools import cache
 
 import pytest
 
-from tmm_report import course, solve
+from tmm_report import course, loading, solve
 from tmm_report.problems import ProblemError
 
 PUMP = """
@@ -38,12 +38,12 @@ mechanism:
 
 @cache
 def found(text: str) -> course.Results:
-    return solve(course.loads(text, "v"))
+    return solve(loading.loads(text, "v"))
 
 
 def refused(text: str) -> str:
     with pytest.raises(ProblemError) as error:
-        course.loads(text, "v")
+        loading.loads(text, "v")
     return "\n".join(problem.text() for problem in error.value.problems)
 
 

@@ -22,8 +22,8 @@ from tmm_report.chapters.title.given import Title
 from tmm_report.cli import app
 from tmm_report.commands.assemblies.page import page
 from tmm_report.commands.assemblies.ways import MOST, Assemblies, find
-from tmm_report.course import loads
 from tmm_report.i18n import Translator
+from tmm_report.loading import loads
 
 NAMES = [file.stem for file in FILES]
 WAY = re.compile(r"^(\d+)(.*)\n  (sketch: \{.*\})$", re.M)

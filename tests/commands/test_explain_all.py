@@ -16,7 +16,7 @@ from conftest import ALL_FILES, read, solved
 from exhaustive import many
 from told import Told
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.commands.explain.run import run, starts, written_out
 from tmm_report.commands.explain.stated import stated, written
 from tmm_report.commands.explain.target import Target, find, is_text
@@ -130,7 +130,7 @@ class Some(Target):
 def test_every_number_is_explained_rightly(file):
     """Nothing is left unexplained; a formula of a way gives the number; what is said to be given stands in the file or
     is a usual value."""
-    explained, values_of_file = Explained(course.load(file)), stated(file)
+    explained, values_of_file = Explained(loading.load(file)), stated(file)
     unexplained, wrong, missing = [], [], []
     for target in explained.targets():
         told = explained.ways.told(target)
@@ -288,7 +288,7 @@ def test_every_chapter_has_its_ways_and_every_way_is_of_some_number():
     every = {chapter: room(chapter, "ways").WAYS for chapter in chapters}
     cams = STATED_SO.parent.glob("statements/*cam*.yaml")
     read = [*CASES, *(file for file in cams if "answers" not in file.name)]
-    results = [*(solved(file.stem) for file in ALL_FILES), *(solve(course.load(file)) for file in read)]
+    results = [*(solved(file.stem) for file in ALL_FILES), *(solve(loading.load(file)) for file in read)]
     names = set().union(*map(named, results))
     names |= {re.sub(r"_diagram\.", "_table.", name) for name in names}
     used = {

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.figures.drawing import THIN
 from tmm_report.figures.schemes.bodies import FLOATS, Body, held_at
 from tmm_report.figures.schemes.view import view_of
@@ -34,7 +34,7 @@ def test_it_is_tied_to_the_nearest_part_of_its_link(body, centre, ends):
 
 @pytest.mark.parametrize("position", [0, 10, 29])
 def test_the_body_of_the_tipper_has_its_mass_centre(position):
-    lever = course.solve(course.loads(TIPPER)).lever
+    lever = course.solve(loading.loads(TIPPER)).lever
     table, mechanism, mu = (
         lever.kinematics.table,
         lever.kinematics.linkage.mechanism,

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.force_plans.loading_draw import TIED, loading_schemes
 from tmm_report.chapters.lever.schemes import ties_of
 from tmm_report.figures.drawing import Path
@@ -25,7 +25,7 @@ PLACES = st.complex_numbers(max_magnitude=80, allow_nan=False)
 
 
 def lever():
-    return course.solve(course.loads("language: en\n" + SCREEN)).lever
+    return course.solve(loading.loads("language: en\n" + SCREEN)).lever
 
 
 def seen(position, found):
@@ -166,7 +166,7 @@ def of_tikz(picture):
 
 
 def test_the_note_has_them_in_html_and_latex_alike():
-    results = course.solve(course.loads("language: en\n" + SCREEN))
+    results = course.solve(loading.loads("language: en\n" + SCREEN))
     html, tex = render(results, "html", "en")["note.html"].decode(), render(results, "tex", "en")
     for caption in ("Kinematic scheme of the mechanism", "Scheme of the mechanism at 12 positions"):
         (number,) = re.findall(rf"{{(figure\d+)}}{{Figure \d+ -- {caption}", tex["note.tex"].decode())
@@ -187,7 +187,7 @@ def test_springs_of_the_machine_in_motion_are_drawn():
 """
     counts = []
     for place in ("[400 mm, 20 mm]", "[40 m, 0]"):
-        results = course.solve(course.loads(text + block.replace("PLACE", place)))
+        results = course.solve(loading.loads(text + block.replace("PLACE", place)))
         html = render(results, "html", "ru")["note.html"].decode()
         counts.append(len(of_svg(html, "Кинематическая схема механизма")))
     assert counts == [1, 0]  # what is held beyond the sheet is left out

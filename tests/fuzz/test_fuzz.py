@@ -22,8 +22,9 @@ from mutations import KINDS, Data, bare, changed
 from notes import render
 
 from tmm_report import solve
-from tmm_report.course import Results, loads
+from tmm_report.course import Results
 from tmm_report.i18n import Translator
+from tmm_report.loading import loads
 from tmm_report.problems import Message, Problem, ProblemError
 from tmm_report.yamlread import read
 

@@ -11,7 +11,7 @@ from exhaustive import many
 sys.path.append(str(Path(__file__).parents[2]))
 
 from benchmarks.fuzz.judge import odd_words, unbalanced
-from tmm_report import course, render
+from tmm_report import course, loading, render
 from tmm_report.problems import ProblemError
 
 CRANK = """
@@ -96,7 +96,7 @@ TEXTS = {
 @pytest.mark.parametrize("language", many(("ru", "en")))
 @pytest.mark.parametrize("name", TEXTS)
 def test_it_has_a_note(name, language):
-    results = course.solve(course.loads(TEXTS[name]))
+    results = course.solve(loading.loads(TEXTS[name]))
     files = {form: render(results, form, language) for form in ("html", "tex", "json", "csv")}
     assert list(odd_words(files["html"]["note.html"].decode())) == []
     assert list(unbalanced(files["tex"]["note.tex"].decode())) == []
@@ -105,10 +105,10 @@ def test_it_has_a_note(name, language):
 def test_masses_that_do_not_move_are_not_reduced():
     """A driving link that turns about its mass centre and has no moment of inertia."""
     with pytest.raises(ProblemError) as error:
-        course.solve(course.loads(ALONE + "loads: {}\nreduction: true\n"))
+        course.solve(loading.loads(ALONE + "loads: {}\nreduction: true\n"))
     assert "no mass of the links moves" in error.value.problems[0].text()
     moving = ALONE.replace("mass_centre: O", "mass_centre: O, inertia: 0.01 kg*m^2")
-    found = course.solve(course.loads(moving + "loads: {}\nreduction: true\n")).lever
+    found = course.solve(loading.loads(moving + "loads: {}\nreduction: true\n")).lever
     assert found.reduction.table.whole_inertia == pytest.approx(0.01)
 
 
@@ -125,6 +125,6 @@ dynamics:
   speed: 12 rad/s
 """
     with pytest.raises(ProblemError) as error:
-        course.solve(course.loads(given))
+        course.solve(loading.loads(given))
     (told,) = error.value.problems
     assert "each cycle leaves 184 J over: the speed grows" in told.text()

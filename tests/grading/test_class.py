@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from exhaustive import many
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.grading import rubric as rubrics
 from tmm_report.grading.expected import expected, reversed_reactions
 from tmm_report.grading.handed_in.answers import read
@@ -19,7 +19,7 @@ CLASS = Path(__file__).parents[1] / "cases" / "class"
 
 @cache
 def marked(id: str, folder: Path = CLASS):
-    results = course.solve(course.load(folder / "handout" / f"{id}.yaml"))
+    results = course.solve(loading.load(folder / "handout" / f"{id}.yaml"))
     handed = next(path for path in (folder / "answers").iterdir() if path.stem == id)
     files = sorted(handed.iterdir()) if handed.is_dir() else [handed]
     asked, rubric = expected(results), rubrics.load(folder / "rubric.yaml")

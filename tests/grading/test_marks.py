@@ -9,13 +9,14 @@ import pytest
 from conftest import solved
 from exhaustive import many
 
-from tmm_report.course import loads, solve
+from tmm_report.course import solve
 from tmm_report.grading import rubric as rubrics
 from tmm_report.grading.expected import expected
 from tmm_report.grading.marks import digest, grade
 from tmm_report.grading.model import RIGHT, Answered, Answers, Rule
 from tmm_report.grading.rubric import Rubric
 from tmm_report.judging.diagnose.variants import prepared
+from tmm_report.loading import loads
 
 VARIANTS = Path(__file__).parents[2] / "variants"
 

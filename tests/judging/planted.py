@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.grading.expected import expected
 from tmm_report.grading.model import KINDS, OF_WHOLE, Answered, Answers, Asked, Expected, Judged, Name
 from tmm_report.judging.judge import default_floor, judge
@@ -74,10 +74,10 @@ class World:
 def _family(name: str, others: int, rng: np.random.Generator) -> dict[str, Expected]:
     """A ready variant and others of the same topology with other lengths and speed, that go all round."""
     text = (VARIANTS / f"{name}.yaml").read_text("utf-8")
-    found = {f"{name}-00": expected(course.solve(course.loads(text)))}
+    found = {f"{name}-00": expected(course.solve(loading.loads(text)))}
     while len(found) <= others:
         try:
-            results = course.solve(course.loads(_changed(text, rng)))
+            results = course.solve(loading.loads(_changed(text, rng)))
         except ProblemError:
             continue
         if results.lever is not None and not results.lever.kinematics.gaps:

@@ -10,7 +10,7 @@ import pytest
 from exhaustive import many
 from planted import LIMIT, MAKERS, VARIANTS, Work, World, asked_of, handed_in, honest, planted
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.grading.expected import expected
 from tmm_report.grading.model import Answered, Answers, Cause, Name
 from tmm_report.judging.diagnose import diagnose, prepared
@@ -143,7 +143,7 @@ def test_numbers_that_scatter_show_no_scale():
 
 
 def test_radii_given_for_diameters():
-    asked = expected(course.solve(course.load(VARIANTS / "hoist_drive.yaml")))
+    asked = expected(course.solve(loading.load(VARIANTS / "hoist_drive.yaml")))
     names = [n for n in asked if n[0].endswith("_wheels") and n[1].split("_")[0] == "d"]
     columns = {}
     for name in names:

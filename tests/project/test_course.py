@@ -11,7 +11,7 @@ import pytest
 from conftest import read, solved
 
 import tmm_report
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.variant.model import Block
 
 RECORDS = {"title": course.Variant, **dict.fromkeys(course.LEVER, course.LeverGiven)}
@@ -46,7 +46,7 @@ def test_every_field_of_what_is_given_comes_from_one_block():
 def test_every_key_of_the_file_belongs_to_one_block():
     blocks = [course.room(chapter, "block").Block for chapter in RECORDS]
     keys = [key for block in blocks for key in block.model_fields]
-    assert len(set(keys)) == len(keys) and set(keys) == course.schema()["properties"].keys()
+    assert len(set(keys)) == len(keys) and set(keys) == loading.schema()["properties"].keys()
     assert all(issubclass(block, Block) and block.__doc__ for block in blocks)
 
 

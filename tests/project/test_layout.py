@@ -126,7 +126,7 @@ def test_what_a_solve_imports_however_far_knows_no_page(chapter):
         seen.add(one := waiting.pop())
         waiting += arrows().get(one, set()) - seen
     assert "tmm_report.quantity.model" in seen
-    page = ("report", "figures", "variant", "course", "commands")
+    page = ("report", "figures", "variant", "course", "loading", "commands")
     assert not [one for one in seen if one.split(".")[1:2] and one.split(".")[1] in page]
     assert not {one.split(".")[0] for one in seen} & {
         "pydantic",

@@ -14,8 +14,9 @@ from notes import VARIANTS
 from tmm_report import render
 from tmm_report.chapters.title.given import Note
 from tmm_report.chapters.title.pieces import DEPTHS, PIECES
-from tmm_report.course import Results, loads
+from tmm_report.course import Results
 from tmm_report.languages import LANGUAGES
+from tmm_report.loading import loads
 from tmm_report.problems import ProblemError
 from tmm_report.report.numbering import Appendix, Numbering
 

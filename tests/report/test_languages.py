@@ -18,9 +18,9 @@ from typer.testing import CliRunner
 from tmm_report import languages, load, solve
 from tmm_report.cli import app
 from tmm_report.commands.whole import LIST
-from tmm_report.course import schema
 from tmm_report.i18n import Translator
 from tmm_report.languages import LANGUAGES, SIGNS, Language, language, of_locale
+from tmm_report.loading import schema
 from tmm_report.problems import Message, ProblemError
 from tmm_report.quantity.text import UNITS
 from tmm_report.variant import new

@@ -16,8 +16,8 @@ from typesetting import set_by_tex, typeset
 from tmm_report import solve
 from tmm_report.chapters.title.given import Title
 from tmm_report.commands.pdf import bare, compile_pdf
-from tmm_report.course import loads
 from tmm_report.languages import LANGUAGES
+from tmm_report.loading import loads
 
 NOTES = many(["eccentric-en", "compressor-ru", "shaper-ru", "hoist_drive-ru", "scissor_lift-ru"], quick=0)
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from tmm_report import course, render, solve
+from tmm_report import loading, render, solve
 
 HERE = Path(__file__).parent
 NAMES = sorted(path.name.removesuffix(".answers.yaml") for path in HERE.glob("*.answers.yaml"))
@@ -40,7 +40,7 @@ TABLES = (
 
 @cache
 def found(name: str) -> dict:
-    variant = course.load(HERE / f"{name}.yaml")
+    variant = loading.load(HERE / f"{name}.yaml")
     return json.loads(render(solve(variant), "json")["results.json"])
 
 

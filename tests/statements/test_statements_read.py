@@ -13,7 +13,7 @@ from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_sp
 from test_arithmetic import wrong_results
 from test_latex_says_the_same import other_cells, other_formulas
 
-from tmm_report import course, solve
+from tmm_report import loading, solve
 from tmm_report.report.formats import Tex
 
 PROBLEMS = (
@@ -25,7 +25,7 @@ PROBLEMS = (
 
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_the_note_says_what_the_results_say(name):
-    results = solve(course.load(Path(__file__).parent / f"{name}.yaml"))
+    results = solve(loading.load(Path(__file__).parent / f"{name}.yaml"))
     page = read(render(results, "html")["note.html"].decode())
     document = json.loads(render(results, "json")["results.json"])
     with patch.object(Tex, "picture", lambda self, picture, anchor: ""):

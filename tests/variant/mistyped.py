@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.problems import Problem, ProblemError
 
 PUMP = (Path(__file__).parents[1] / "edges" / "pump.yaml").read_text("utf-8")
@@ -21,7 +21,7 @@ def typed(*slips: tuple[str, str], text: str = PUMP) -> str:
 def said(*slips: tuple[str, str], text: str = PUMP) -> list[Problem]:
     """Mistakes of the text, or else its doubts."""
     try:
-        return list(course.loads(typed(*slips, text=text), "v").doubts)
+        return list(loading.loads(typed(*slips, text=text), "v").doubts)
     except ProblemError as error:
         return error.problems
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 CASE = Path(__file__).parents[1] / "cases" / "mechanics" / "two_labels.yaml"
@@ -29,7 +29,7 @@ mechanism:
 
 def refused(text):
     with pytest.raises(ProblemError) as error:
-        course.solve(course.loads(text))
+        course.solve(loading.loads(text))
     return [problem.text() for problem in error.value.problems]
 
 
@@ -65,4 +65,4 @@ def test_a_point_may_not_be_called_as_a_link_is(point, link):
 @pytest.mark.exhaustive
 def test_a_name_that_nothing_else_has_may_be_a_number():
     text = TWO_OUTPUTS.replace("E:", "7:").replace("[E]", "[7]")
-    assert b"</html>" in render(course.solve(course.loads(text)), "html")["note.html"]
+    assert b"</html>" in render(course.solve(loading.loads(text)), "html")["note.html"]

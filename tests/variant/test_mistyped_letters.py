@@ -9,7 +9,7 @@ import pytest
 from mistyped import PUMP
 from notes import VARIANTS
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.problems import Problem, ProblemError
 
 ALIKE = dict(zip("ABEKMHOPCTXYaeopcxyk0", "АВЕКМНОРСТХУаеорсхукО", strict=True))
@@ -30,7 +30,7 @@ def mistyped(text: str, how: str) -> Iterator[tuple[int, str]]:
 
 def mistakes(text: str) -> list[Problem]:
     try:
-        course.loads(text, "v")
+        loading.loads(text, "v")
     except ProblemError as error:
         return error.problems
     return []

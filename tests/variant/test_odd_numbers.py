@@ -8,14 +8,14 @@ import pytest
 from mistyped import PUMP, lines, typed
 from typer.testing import CliRunner
 
-from tmm_report import cli, course
+from tmm_report import cli, loading
 
 VARIANTS = sorted((Path(__file__).parents[2] / "variants").glob("*.yaml"))
 
 
 @pytest.mark.parametrize("file", VARIANTS, ids=lambda file: file.stem)
 def test_no_ready_variant_has_an_odd_number(file):
-    assert [d.text() for d in course.load(file).doubts if "odd" in d.text() or "unusual" in d.text()] == []
+    assert [d.text() for d in loading.load(file).doubts if "odd" in d.text() or "unusual" in d.text()] == []
 
 
 def test_millimetres_forgotten_everywhere_are_told_once():
@@ -98,7 +98,7 @@ CAM = (VARIANTS[0].parent / "cam_press.yaml").read_text("utf-8")
 )
 def test_a_cam_is_judged_by_its_own_radius(speed, odd):
     """Base, lift and the roller's arm give 100 mm: what replaces the pair has places a metre away."""
-    said = [one.text() for one in course.loads(CAM.replace("speed: 90 rpm", f"speed: {speed}")).doubts]
+    said = [one.text() for one in loading.loads(CAM.replace("speed: 90 rpm", f"speed: {speed}")).doubts]
     told = [text for text in said if "end of the driving link" in text]
     assert bool(told) == odd
     if odd:
@@ -109,5 +109,5 @@ def test_a_cam_is_judged_by_its_own_radius(speed, odd):
 
 def test_a_mass_in_a_cam_mechanism_is_judged_by_the_links_that_there_are():
     """Its longest link has 265 mm and not a metre."""
-    said = [one.text() for one in course.loads(CAM.replace("mass: 5.2 kg", "mass: 5200 kg")).doubts]
+    said = [one.text() for one in loading.loads(CAM.replace("mass: 5.2 kg", "mass: 5200 kg")).doubts]
     assert any("longest link has 0.26" in text or "longest link has 0.27" in text for text in said), said

@@ -11,7 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from notes import VARIANTS
 
-from tmm_report.course import loads, solve
+from tmm_report.course import solve
+from tmm_report.loading import loads
 from tmm_report.mechanics.lever import assur_groups
 from tmm_report.mechanics.machine.run import by_time
 from tmm_report.problems import ProblemError

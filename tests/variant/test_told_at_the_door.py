@@ -6,7 +6,7 @@ import pytest
 from mistyped import PUMP, lines, typed
 from notes import render
 
-from tmm_report import course, solve
+from tmm_report import loading, solve
 
 DRIVE = "drive:\n  speed: 1000 rpm\n  stages: [{kind: spur, %s, teeth: [20, 60], module: 2 mm}]\n"
 
@@ -72,7 +72,7 @@ def test_a_note_without_moments_of_inertia_speaks_of_none():
         head, rest = text.split(", inertia: ", 1)
         cut = min(rest.index(mark) for mark in "},")
         text = head + rest[cut:]
-    note = render(solve(course.loads(text)), "html", "en")
+    note = render(solve(loading.loads(text)), "html", "en")
     note = note if isinstance(note, str) else str(note)
     assert "Masses of the links" in note
     assert "moments of inertia about the axes" not in note
@@ -101,7 +101,7 @@ def test_a_ratio_without_a_sign_is_asked_about(ratio):
     ],
 )
 def test_a_pair_said_in_a_word_is_not_asked_about(stated, ratio):
-    variant = course.loads(DRIVE % stated)
+    variant = loading.loads(DRIVE % stated)
     assert variant.doubts == ()
     assert variant.drive.stages[0].ratio == ratio
 
@@ -136,10 +136,10 @@ def test_a_driving_slider_is_named():
 @pytest.mark.parametrize("speed", ["-600 rpm", "-15", "-15 рад/с", "−600 об/мин"])
 def test_a_negative_speed_is_clockwise_and_has_no_other_rotation(speed):
     text = PUMP.replace("speed: 90 об/мин", f"speed: {speed}")
-    driver = course.loads(text).lever.mechanism.driver
+    driver = loading.loads(text).lever.mechanism.driver
     assert driver.omega < 0
     positive = text.replace(f"speed: {speed}", f"speed: {speed[1:]}\n    rotation: clockwise")
-    assert driver.omega == course.loads(positive).lever.mechanism.driver.omega
+    assert driver.omega == loading.loads(positive).lever.mechanism.driver.omega
     (line,) = lines(("speed: 90 об/мин", f"speed: {speed}\n    rotation: clockwise"))
     assert "the sense of rotation is stated twice" in line
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tmm_report import course
+from tmm_report import loading
 
 SLIDER_CRANK = """
 mechanism:
@@ -23,7 +23,7 @@ USUAL = {"crank": "0.1", "rod": "0.4", "light": "2", "heavy": "3", "speed": "10"
 
 
 def doubts(**stated):
-    return [one.text() for one in course.loads(SLIDER_CRANK.format(**USUAL | stated)).doubts]
+    return [one.text() for one in loading.loads(SLIDER_CRANK.format(**USUAL | stated)).doubts]
 
 
 @pytest.mark.parametrize(

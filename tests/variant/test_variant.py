@@ -10,7 +10,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from tmm_report import course, variant, yamlread
+from tmm_report import loading, variant, yamlread
 from tmm_report.languages import LANGUAGES
 from tmm_report.mechanics.calculus.laws import ByAngle, ByDisplacement, ByPosition, Constant
 from tmm_report.mechanics.lever.mechanism import ZeroAngle, ZeroExtreme
@@ -43,20 +43,20 @@ def edited(*edits, text=SMALL):
 
 def mistakes(text):
     with pytest.raises(ProblemError) as caught:
-        course.loads(text, "v.yaml")
+        loading.loads(text, "v.yaml")
     assert all(problem.file == "v.yaml" for problem in caught.value.problems)
     return [(p.line, p.column, p.key, str(p.wrong), str(p.right or "")) for p in caught.value.problems]
 
 
 def part(section):
-    return course.loads(SMALL + section)
+    return loading.loads(SMALL + section)
 
 
 # --- what a text becomes
 
 
 def test_compressor():
-    v = course.loads(COMPRESSOR, "c.yaml")
+    v = loading.loads(COMPRESSOR, "c.yaml")
     mechanism = v.lever.mechanism
     assert list(mechanism.links) == ["0", "1", "2", "3", "4", "5"]
     assert mechanism.links["2"].points == {"A": 0, "B": 0.3, "C": 0.075, "S2": 0.15}
@@ -75,7 +75,7 @@ def test_compressor():
 
 
 def test_defaults():
-    v = course.loads(SMALL)
+    v = loading.loads(SMALL)
     assert (v.lever.loads, v.lever.friction, v.lever.readings) == (None, None, {})
     assert (
         v.lever.positions.table,
@@ -90,7 +90,7 @@ def test_defaults():
     )
     assert v.lever.mechanism.driver.zero == ZeroAngle(0.0)
     assert v.lever.mechanism.driver.sweep == 2 * math.pi
-    assert course.loads(SMALL + "language: en").decimal_sign == "point"
+    assert loading.loads(SMALL + "language: en").decimal_sign == "point"
     assert part("loads: {}").lever.loads.gravity == -9.81j
 
 
@@ -98,7 +98,7 @@ def test_places_of_points():
     points = "{A: 0, B: 300 mm, C: [1 cm, -2 cm], D: {from: {A: 300 mm, B: 400 mm}, side: %s}, E: -1 cm}"
     for side, sign in (("left", 1), ("right", -1)):
         text = edited(("{A: 0, B: 300 mm}", points % side))
-        placed = course.loads(text).lever.mechanism.links["2"].points
+        placed = loading.loads(text).lever.mechanism.links["2"].points
         assert placed["C"] == 0.01 - 0.02j
         assert placed["E"] == -0.01
         assert abs(placed["D"] - placed["A"]) == pytest.approx(0.3)
@@ -114,7 +114,7 @@ def test_guides_and_slides():
         ),
         ("slides: x", "slides: [{guide: x, at: B, angle: 90 deg}, y]"),
     )
-    mechanism = course.loads(text).lever.mechanism
+    mechanism = loading.loads(text).lever.mechanism
     assert mechanism.guides["x"].direction == 1
     assert mechanism.guides["y"].direction == pytest.approx((0.1 + 0.2j) / abs(0.1 + 0.2j))
     guide = mechanism.guides["z"]
@@ -133,7 +133,7 @@ def test_guides_and_slides():
     ],
 )  # fmt: skip
 def test_assembly(written, choice):
-    (read,) = course.loads(edited(("{B: right}", f"{{2-3: {written}}}"))).lever.mechanism.assembly
+    (read,) = loading.loads(edited(("{B: right}", f"{{2-3: {written}}}"))).lever.mechanism.assembly
     assert (read.key, read.choice) == ("2-3", choice)
     assert type(read.choice) is type(choice) or isinstance(read.choice, complex)
 
@@ -153,7 +153,7 @@ def test_zero(written, zero):
             f"period: 0,05 s\n    rotation: clockwise\n    range: 90 deg\n    zero: {written}",
         )
     )
-    driver = course.loads(text).lever.mechanism.driver
+    driver = loading.loads(text).lever.mechanism.driver
     assert driver.zero == zero
     assert (driver.omega, driver.sweep) == pytest.approx((-40 * math.pi, math.pi / 2))
 
@@ -200,14 +200,14 @@ def test_yaml_traps_do_the_expected_thing():
         "1e5",
     )
     assert (
-        course.loads(edited(("[0.1, 0.2]", "['0,1', 2e-1]"))).lever.mechanism.links["0"].points["P"]
+        loading.loads(edited(("[0.1, 0.2]", "['0,1', 2e-1]"))).lever.mechanism.links["0"].points["P"]
         == 0.1 + 0.2j
     )
 
 
 def test_names_of_letters():
     names = edited(("x: {through: O}", "Ә: {through: O}"), ("slides: x", "slides: Ә"), ("P: [", "Щ'2: ["))
-    assert list(course.loads(names).lever.mechanism.guides) == ["Ә"]
+    assert list(loading.loads(names).lever.mechanism.guides) == ["Ә"]
 
 
 # --- mistakes: (edit of SMALL or text after it, line, column, key, what is wrong)
@@ -366,7 +366,7 @@ def test_missing_parts():
 
 def test_messages_carry_nothing_hostile():
     with pytest.raises(ProblemError) as caught:
-        course.loads(SMALL + "title: {city: [a]}\nx\u202e" + "k" * 900 + ": 1\nlanguage: \u2066" + "y" * 900)
+        loading.loads(SMALL + "title: {city: [a]}\nx\u202e" + "k" * 900 + ": 1\nlanguage: \u2066" + "y" * 900)
     assert "\u202e" not in str(caught.value)
     assert "\u2066" not in str(caught.value)
     assert (
@@ -375,7 +375,7 @@ def test_messages_carry_nothing_hostile():
 
 
 def test_locate_finds_the_nearest_key():
-    v = course.loads(SMALL, "v.yaml")
+    v = loading.loads(SMALL, "v.yaml")
     for path, place in [
         (("mechanism", "links", "2", "points", "B"), (7, 24)), (("mechanism", "links", 2), (7, 5)),
         (("mechanism", "links", "2", "mass", "x"), (7, 5)), (("loads", "forces", 0), (1, 1)), ((), (1, 1)),
@@ -387,10 +387,10 @@ def test_locate_finds_the_nearest_key():
 def test_load_names_the_file(tmp_path):
     path = tmp_path / "a.yaml"
     path.write_text(SMALL, encoding="utf-8")
-    assert course.load(path).file == str(path)
+    assert loading.load(path).file == str(path)
     path.write_text(SMALL + "x: 1", encoding="utf-8")
     with pytest.raises(ProblemError, match=r"a.yaml:13:1: x: unknown key x"):
-        course.load(path)
+        loading.load(path)
 
 
 # --- the schema, the starting variants, the cost
@@ -398,21 +398,21 @@ def test_load_names_the_file(tmp_path):
 
 @cache
 def validator():
-    schema = course.schema()
+    schema = loading.schema()
     jsonschema.Draft202012Validator.check_schema(schema)
     return jsonschema.Draft202012Validator(schema)
 
 
 @pytest.mark.parametrize("path", VARIANTS, ids=lambda path: path.stem)
 def test_every_variant_loads_and_fits_the_schema(path):
-    course.load(path)
+    loading.load(path)
     assert [error.message for error in validator().iter_errors(yamlread.read(path).data)] == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_starting_variants(language):
     text = variant.new(language)
-    assert course.loads(text).language == language
+    assert loading.loads(text).language == language
     assert list(validator().iter_errors(yamlread.loads(text).data)) == []
     assert text.count("#") > 20
 
@@ -430,7 +430,7 @@ def test_the_schema_rejects_what_the_reader_rejects():
 
 @pytest.mark.exhaustive
 def test_the_schema_explains_every_key():
-    for name, model in course.schema()["$defs"].items():
+    for name, model in loading.schema()["$defs"].items():
         assert model["description"], name
         for key, about in model.get("properties", {}).items():
             assert {"title", "description", "enum", "$ref"} & about.keys(), (name, key)
@@ -440,8 +440,8 @@ def test_the_schema_explains_every_key():
 def test_reading_imports_nothing_heavy():
     program = f"""
 import sys
-from tmm_report import course
-course.loads({SMALL!r})
+from tmm_report import loading
+loading.loads({SMALL!r})
 print([name for name in ("scipy", "matplotlib", "jinja2", "jsonschema", "pydantic.json_schema") if name in sys.modules])
 """
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)

@@ -8,7 +8,7 @@ from conftest import ALL_FILES, examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report import course, yamlread
+from tmm_report import loading, yamlread
 from tmm_report.problems import ProblemError
 
 COMPRESSOR = next(path for path in ALL_FILES if path.stem == "compressor").read_text(encoding="utf-8")
@@ -86,7 +86,7 @@ def test_any_edit_is_a_variant_or_problems(changes):
         mutate(tree, path, action, odd, other)
     text = yaml.safe_dump(tree, allow_unicode=True).replace("&id", "id").replace("*id", "id")
     try:
-        course.loads(text)
+        loading.loads(text)
     except ProblemError as error:
         assert error.problems
         assert all(problem.line for problem in error.problems)

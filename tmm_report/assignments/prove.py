@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.assignments.conditions import holds
 from tmm_report.assignments.fill import Form
 from tmm_report.assignments.model import Bound, Ranges
@@ -58,7 +58,7 @@ class Proof:
                 )
                 return Rejection(one.text, why)
         try:
-            variant = course.loads(self.form.text(self.ranges.parameters, cells, person))
+            variant = loading.loads(self.form.text(self.ranges.parameters, cells, person))
             results = course.solve(variant if self.whole else _lever(variant))
         except ProblemError as error:
             return _unsolved(error.problems[0])
@@ -115,7 +115,7 @@ def _outside(limits: Limits, found: Mapping[str, Value]) -> Rejection | None:
 
 def proof(ranges: Ranges, form: Form) -> Proof:
     """What the variants of the ranges are held against. Raises ProblemError where the template itself is wrong."""
-    template = course.load(ranges.template.source)
+    template = loading.load(ranges.template.source)
     lever = template.lever and replace(template.lever, readings={})
     results = course.solve(replace(template, lever=lever))
     found = {value.key: value for value in values(results)}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from tmm_report.course import schema
+from tmm_report.loading import schema
 
 
 def text() -> str:

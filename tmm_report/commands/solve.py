@@ -11,8 +11,9 @@ from tmm_report import solve as solve_variant
 from tmm_report.commands.files import FORMATS, combinations, render
 from tmm_report.commands.talk import Talk, failure, reason, unwritable, written
 from tmm_report.commands.whole import Put, put
-from tmm_report.course import DEPTHS, Depth, LeverFound, Results, doubts, loads, sound, stated
+from tmm_report.course import DEPTHS, Depth, LeverFound, Results, doubts, sound
 from tmm_report.course import summary as in_short
+from tmm_report.loading import loads, stated
 from tmm_report.problems import N_, Message
 from tmm_report.running.journal import digest
 from tmm_report.variant import locate

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
-from tmm_report.course import schema
+from tmm_report.loading import schema
 
 Mark = tuple[str, ...]
 Schema = dict[str, Any]

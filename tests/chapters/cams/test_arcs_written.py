@@ -5,7 +5,7 @@ import math
 
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.cams.cam import quantities as q
 from tmm_report.chapters.cams.cam.arcs_written import Written, central
 from tmm_report.quantity.model import Book
@@ -29,7 +29,7 @@ def found(kind, keys, end):
     sizes = SIZES if kind == "tangent" else ROUND
     stated = ", ".join(f"{key}: {sizes[key]}" for key in keys)
     text = f"cam: {{{ENDS[end]}, profile: {{{kind}: {{base: 32 mm, {stated}}}}}, speed: 420 rpm}}"
-    return course.solve(course.loads(text)).cam.cams[0], course.solve(course.loads(text)).cam
+    return course.solve(loading.loads(text)).cam.cams[0], course.solve(loading.loads(text)).cam
 
 
 @pytest.mark.parametrize(
@@ -51,7 +51,7 @@ def test_every_formula_gives_the_value_that_was_found(kind, keys, end):
 
 def test_an_offset_follower_has_no_formulas_of_textbooks():
     text = "cam: {roller: 18 mm, offset: 4 mm, profile: {tangent: {base: 32 mm, nose: 10 mm, lift: 16 mm}}}"
-    (one,) = course.solve(course.loads(text)).cam.cams
+    (one,) = course.solve(loading.loads(text)).cam.cams
     assert not central(one)
     assert one.pieced.outline.lift == pytest.approx(0.016)
     highest, lowest = (math.sqrt(far**2 - 0.004**2) for far in (0.038 + 0.010 + 0.018, 0.050))

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 LAW = "phases: [{rise: 110 deg, law: %s}, {dwell: 30 deg}, {return: 120 deg, law: polynomial}, {dwell: rest}]"
@@ -15,13 +15,13 @@ PAIRED = LAW.replace("rest", "100 deg")
 
 
 def alone(cam: str) -> course.Results:
-    return course.solve(course.loads(f"cam: {{{cam}}}"))
+    return course.solve(loading.loads(f"cam: {{{cam}}}"))
 
 
 def pair(cam: str, follower: str, sense: str, frame: str = "") -> course.Results:
     """The same cam in a mechanism of two links."""
     return course.solve(
-        course.loads(f"""
+        loading.loads(f"""
 mechanism:
   frame: {{O: [0, 0]{frame}}}
   guides: {{y: {{through: Q, angle: 90 deg}}}}
@@ -236,7 +236,7 @@ BAD = [
 @pytest.mark.parametrize(("cam", "path", "words"), BAD)
 def test_a_mistake_is_told_at_its_key(cam, path, words):
     with pytest.raises(ProblemError) as raised:
-        course.loads(f"cam: {{{cam}}}")
+        loading.loads(f"cam: {{{cam}}}")
     told = [(".".join(map(str, p.path)), p.wrong.text % p.wrong.values) for p in raised.value.problems]
     assert any(where == path and words in text for where, text in told), told
 
@@ -252,7 +252,7 @@ mechanism:
   assembly: {B: right}
 cam: {roller: 8 mm, base: 40 mm, lift: 24 mm, %s}
 """ % (LAW % "sine")
-    results = course.solve(course.loads(text))
+    results = course.solve(loading.loads(text))
     assert results.lever.cams is None and results.cam.cams
     assert [name for name, _ in course.chapters(results)][-1] == "cam"
     note = render(results, "html")["note.html"].decode()

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.cams.cam_forces import quantities as q
 from tmm_report.problems import ProblemError
 from tmm_report.results import tables
@@ -31,7 +31,7 @@ GUIDE = "guide: {length: 90 mm, overhang: 60 mm, friction: 0.1}"
 
 
 def solved(cam: str, more: str = ""):
-    return course.solve(course.loads(f"cam: {{{cam}, {more}}}"))
+    return course.solve(loading.loads(f"cam: {{{cam}, {more}}}"))
 
 
 def found(cam: str, more: str = ""):
@@ -191,7 +191,7 @@ BAD = [
 @pytest.mark.parametrize(("cam", "more", "path", "words"), BAD)
 def test_a_slip_is_told_at_its_key(cam, more, path, words):
     with pytest.raises(ProblemError) as raised:
-        course.loads(f"cam: {{{cam}, {more}}}")
+        loading.loads(f"cam: {{{cam}, {more}}}")
     told = [(".".join(map(str, one.path)), one.wrong.text) for one in raised.value.problems]
     assert any(where == path and words in what for where, what in told), told
 
@@ -206,7 +206,7 @@ def test_a_preload_that_no_rate_makes_good_is_refused_in_words():
 
 
 def test_forces_of_an_unsized_cam_take_the_smallest_and_say_so():
-    read = course.loads(f"cam: {{lift: 10 mm, speed: 300 rpm, mass: 1 kg, {LAW}}}")
+    read = loading.loads(f"cam: {{lift: 10 mm, speed: 300 rpm, mass: 1 kg, {LAW}}}")
     said = [one.wrong.text for one in read.doubts]
     assert any("no base circle" in text for text in said) and any("knife edge" in text for text in said)
     assert course.solve(read).cam_forces is not None

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from notes import render
 
-from tmm_report import course, load
+from tmm_report import course, load, loading
 from tmm_report.chapters.cams.cam.draw import sheet
 from tmm_report.figures.drawing import Circle
 from tmm_report.problems import ProblemError
@@ -19,7 +19,7 @@ GROOVE = f"roller: 8 mm, base: 40 mm, lift: 18 mm, offset: 6 mm, closure: groove
 
 
 def alone(cam: str) -> course.Results:
-    return course.solve(course.loads(f"language: en\ncam: {{{cam}}}"))
+    return course.solve(loading.loads(f"language: en\ncam: {{{cam}}}"))
 
 
 def tables(results: course.Results) -> dict:
@@ -176,6 +176,6 @@ BAD = [
 @pytest.mark.parametrize(("cam", "path", "words"), BAD)
 def test_what_cannot_be_made_is_told(cam, path, words):
     with pytest.raises(ProblemError) as raised:
-        course.loads(f"cam: {{{cam}}}")
+        loading.loads(f"cam: {{{cam}}}")
     told = [(".".join(map(str, p.path)), p.wrong.text % p.wrong.values) for p in raised.value.problems]
     assert any(where == path and words in text for where, text in told), told

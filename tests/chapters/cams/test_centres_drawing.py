@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.cams.cam.draw import centres
 from tmm_report.figures.drawing import THICK
 from tmm_report.figures.primitives import Path as Stroke
@@ -20,7 +20,7 @@ CAM = (
 
 def solved(apart="free", side="against", turn="counter-clockwise", back="return_angle_limit: 50 deg, "):
     text = CAM.format(apart=apart, side=side, turn=turn, back=back)
-    return course.solve(course.loads(f"cam: {{{text}}}")).cam.cams[0]
+    return course.solve(loading.loads(f"cam: {{{text}}}")).cam.cams[0]
 
 
 @pytest.fixture(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.cams.cam.draw import face
 from tmm_report.figures.drawing import THICK
 from tmm_report.figures.primitives import Path as Stroke
@@ -22,7 +22,7 @@ ROLLS = f"roller: %s, base: smallest, lift: 20 mm, %s{PHASES}"
 
 
 def solved(cam):
-    return course.solve(course.loads(f"cam: {{{cam}}}")).cam.cams[0]
+    return course.solve(loading.loads(f"cam: {{{cam}}}")).cam.cams[0]
 
 
 @pytest.mark.parametrize("turn", ["clockwise", "counter-clockwise"])
@@ -48,7 +48,7 @@ def test_under_a_swinging_face_the_curvature_is_reached_and_no_less(away, side, 
 )  # fmt: skip
 def test_what_cannot_be_is_told(cam, key, words):
     with pytest.raises(ProblemError) as raised:
-        course.loads(f"cam: {{{cam}}}")
+        loading.loads(f"cam: {{{cam}}}")
     told = [(".".join(map(str, p.path)), p.wrong.text) for p in raised.value.problems]
     assert any(where == key and words in text for where, text in told), told
 
@@ -107,7 +107,7 @@ def test_a_groove_without_hollows_has_no_such_bound():
 
 def test_what_bounds_a_roller_in_its_groove_is_printed():
     text = f"language: en\ncam: {{roller: 9 mm, pitch_base: 45 mm, {GROOVED}}}"
-    note = render(course.solve(course.loads(text)), "html")["note.html"].decode()
+    note = render(course.solve(loading.loads(text)), "html")["note.html"].decode()
     assert all(f'data-q="{key}"' in note for key in ("cam_rho_hollow", "cam_roller_by_hollow"))
     assert "larger than the rules allow" in note
 
@@ -131,7 +131,7 @@ def test_a_thick_shaft_asks_for_a_larger_cam():
     ],
 )
 def test_it_is_said_whether_the_shaft_or_rounding_makes_the_cam_larger(cam, asks, rounds):
-    note = render(course.solve(course.loads(f"language: en\ncam: {{{cam}}}")), "html")["note.html"].decode()
+    note = render(course.solve(loading.loads(f"language: en\ncam: {{{cam}}}")), "html")["note.html"].decode()
     assert ("The shaft asks for more" in note) == asks and ("is rounded up to" in note) == rounds
 
 

@@ -8,7 +8,7 @@ import pytest
 from conftest import path_of
 from notes import render
 
-from tmm_report import backwards, course, solve
+from tmm_report import backwards, course, loading, solve
 from tmm_report.chapters.find.solve import MOST
 from tmm_report.results import tables, values
 from tmm_report.stack import solve_many
@@ -52,7 +52,7 @@ def asked(text, find):
 
 
 def results_of(text, find):
-    return solve(course.loads(asked(text, find)))
+    return solve(loading.loads(asked(text, find)))
 
 
 def number_of(results, key):
@@ -71,7 +71,7 @@ def forwards(text, found, key):
     """The demanded number of the variant that states what was found."""
     document = data_of(text)
     unknown = found.given.unknown
-    return number_of(solve(course.loads(json.dumps(unknown.put(document.data, found.number)))), key)
+    return number_of(solve(loading.loads(json.dumps(unknown.put(document.data, found.number)))), key)
 
 
 # what is asked of which variant, and the number that answers, if there is a closed form
@@ -220,8 +220,8 @@ def test_the_table_of_roots_is_of_the_results():
 def test_many_at_once_find_what_each_finds_alone():
     name, find, _ = CASES["inertia of a link for the greatest moment"]
     texts = [asked(read_text(name), find.replace("400 N*m", f"{level} N*m")) for level in (350, 400)]
-    together = solve_many([course.loads(text) for text in texts])
-    alone = [backwards.solve(course.loads(text)) for text in texts]
+    together = solve_many([loading.loads(text) for text in texts])
+    alone = [backwards.solve(loading.loads(text)) for text in texts]
     assert [one.find.number for one in together] == [one.find.number for one in alone]
     assert all(one.find.solved <= MOST for one in together)
 

@@ -8,7 +8,7 @@ import pytest
 from notes import render
 from test_find import PIVOT, RAILS, asked, number_of, read_text, results_of
 
-from tmm_report import course, solve
+from tmm_report import course, loading, solve
 from tmm_report.problems import ProblemError
 from tmm_report.results import tables, values
 from tmm_report.stack import solve_many
@@ -56,7 +56,7 @@ def closing():
 
 def whole(text, found):
     """The variant that states what was found."""
-    return solve(course.loads(json.dumps(found.given.put(data_of(text).data, found.numbers))))
+    return solve(loading.loads(json.dumps(found.given.put(data_of(text).data, found.numbers))))
 
 
 # --- a spring for two speeds
@@ -68,7 +68,7 @@ def test_a_spring_for_two_speeds_is_that_which_the_governor_chooses(speeds):
     results = results_of(SPRING, BY_SPEEDS % speeds)
     found = results.find
     assert found.sound and len(found.sought.roots) == 1
-    chosen = solve(course.loads(SERVO.replace("970 rpm, 1030 rpm", ", ".join(speeds))))
+    chosen = solve(loading.loads(SERVO.replace("970 rpm, 1030 rpm", ", ".join(speeds))))
     right = [number_of(chosen, key) for key in ("governor_c", "governor_F_0")]
     assert found.sizes(found.chosen.at) == pytest.approx(right, rel=1e-9)
     assert {k: form.number for k, form in found.closed} == pytest.approx(dict(enumerate(right)), rel=1e-9)
@@ -234,7 +234,7 @@ TWO = "governor.spring.stiffness: 1 kN/m .. 200 kN/m, governor.spring.force: 100
 def test_a_mistake_of_two_unknowns_is_told_once(case):
     find, words = MISTAKES[case]
     with pytest.raises(ProblemError) as caught:
-        solve(course.loads(asked(SPRING, find % TWO if "%s" in find else find)))
+        solve(loading.loads(asked(SPRING, find % TWO if "%s" in find else find)))
     (problem,) = caught.value.problems
     assert words in problem.text()
 
@@ -245,7 +245,7 @@ def test_both_unknowns_may_not_be_one_number():
         "so_that: {contacts_1.p_mean: 1, contacts_1.M_wear: 1}}"
     )
     with pytest.raises(ProblemError, match="same number"):
-        course.loads(asked(PIVOT, find))
+        loading.loads(asked(PIVOT, find))
 
 
 def test_results_and_every_format():
@@ -291,6 +291,6 @@ dynamics:
 
 def test_many_at_once_find_what_each_finds_alone():
     texts = [asked(SPRING, BY_SPEEDS % (low, "1030 rpm")) for low in ("970 rpm", "990 rpm")]
-    together = solve_many([course.loads(text) for text in texts])
-    alone = [solve(course.loads(text)) for text in texts]
+    together = solve_many([loading.loads(text) for text in texts])
+    alone = [solve(loading.loads(text)) for text in texts]
     assert [one.find.numbers for one in together] == [one.find.numbers for one in alone]

@@ -7,7 +7,7 @@ import pytest
 from notes import render
 from test_find import ACCELERATION, CASES, PIVOT, number_of, results_of, text_of
 
-from tmm_report import course, solve
+from tmm_report import course, loading, solve
 from tmm_report.chapters.find.closed import Known, NotThereError
 from tmm_report.chapters.find.target import Target
 from tmm_report.problems import Message
@@ -119,7 +119,7 @@ def test_friction_for_an_insensitivity():
 
 def test_a_formula_that_leaves_something_out_is_told_with_its_difference():
     """The press's moment of inertia varies: the textbook takes its mean."""
-    results = solve(course.load("variants/press_flywheel.yaml"))
+    results = solve(loading.load("variants/press_flywheel.yaml"))
     found = results.find
     assert found.closed.leaves and found.closed.number == pytest.approx(found.size(found.chosen.at), rel=0.1)
     numbers = {one.key: one.value for one in values(results)}
@@ -149,13 +149,13 @@ def test_no_formula_whose_numbers_depend_on_the_unknown():
 def test_a_part_on_the_motor_has_no_ratio_of_its_own(part, words):
     text = f"language: en\ndynamics: {{parts: [{part}], motor: {{constant: 5, ratio: 2}}}}\n"
     with pytest.raises(course.ProblemError, match=words):
-        course.loads(text)
+        loading.loads(text)
     with pytest.raises(course.ProblemError, match="no motor"):
-        course.loads(text.replace(", motor: {constant: 5, ratio: 2}", "").replace(" ratio: 3,", ""))
+        loading.loads(text.replace(", motor: {constant: 5, ratio: 2}", "").replace(" ratio: 3,", ""))
 
 
 def test_a_part_on_the_motor_turns_as_the_motor_does():
-    one = number_of(solve(course.loads(HOIST % (300, 1))), "dynamics_J")
+    one = number_of(solve(loading.loads(HOIST % (300, 1))), "dynamics_J")
     assert one == pytest.approx(40 + 0.2 * 10**2, rel=1e-12)
 
 

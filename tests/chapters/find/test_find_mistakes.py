@@ -2,7 +2,7 @@
 
 import pytest
 
-from tmm_report import course, solve
+from tmm_report import loading, solve
 from tmm_report.problems import ProblemError
 
 TEXT = """language: en
@@ -56,7 +56,7 @@ SOLVING = {
 
 def told(text):
     with pytest.raises(ProblemError) as caught:
-        solve(course.loads(text, "v.yaml"))
+        solve(loading.loads(text, "v.yaml"))
     return caught.value.problems
 
 
@@ -64,7 +64,7 @@ def told(text):
 def test_a_mistake_is_told_once_at_the_door(case):
     find, key, words = DOOR[case]
     with pytest.raises(ProblemError) as caught:
-        course.loads(f"{TEXT}find: {find}\n", "v.yaml")
+        loading.loads(f"{TEXT}find: {find}\n", "v.yaml")
     (problem,) = caught.value.problems
     assert problem.key == key and words in problem.text()
     assert problem.file == "v.yaml" and problem.line == 6
@@ -82,7 +82,7 @@ def test_whole_numbers_are_not_sought():
     text = "language: en\nflywheel: {delta: 1/30, turns: 2, speed: 90 rpm, resisting: {mean: 10}, positions: 24}\n"
     find = "find: {unknown: {flywheel.positions: 24 .. 48}, least: J_fl}\n"
     with pytest.raises(ProblemError, match="whole number"):
-        course.loads(text + find)
+        loading.loads(text + find)
 
 
 def test_a_range_in_which_nothing_can_be_solved():

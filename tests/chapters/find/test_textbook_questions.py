@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 from test_find import number_of, results_of
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 CLUTCH = """language: en
@@ -246,7 +246,7 @@ def test_a_start_of_shafts_by_mass_and_radius_of_gyration(inertia):
   motor: {{constant: 100 N*m}}
   start: {{speed: 100 rad/s}}
 """
-    found = course.solve(course.loads(text)).dynamics
+    found = course.solve(loading.loads(text)).dynamics
     assert found.s.number("t_start") == pytest.approx(100 * (2.4 + 90 / 25 / 0.9) / 100, rel=1e-9)
 
 
@@ -300,7 +300,7 @@ def test_a_start_of_shafts_by_mass_and_radius_of_gyration(inertia):
 )
 def test_what_is_said_of_slips(text, path, said):
     with pytest.raises(ProblemError) as error:
-        course.loads(text if text.startswith("language") else f"language: en\n{text}\n")
+        loading.loads(text if text.startswith("language") else f"language: en\n{text}\n")
     told = {
         ".".join(map(str, one.path)): str(one.right or one.wrong) + str(one.wrong)
         for one in error.value.problems

@@ -7,7 +7,7 @@ from notes import VARIANTS
 from test_drive import DRIVES, PAIR, PLANETARY, SECOND, solve
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.drive.steps import whole
 
 CARRIER = {key: value for key, value in PLANETARY.items() if key != "fixed"} | {
@@ -46,13 +46,13 @@ def test_every_formula_agrees_with_the_second_way(name):
 
 
 def test_every_formula_of_a_drive_that_turns_the_link():
-    found = course.solve(course.loads(LINKED)).drive
+    found = course.solve(loading.loads(LINKED)).drive
     assert whole(found, "drive").s.has_formula("T_mean") and told(found) == []
 
 
 def test_a_stated_torque_is_not_called_that_of_the_mean_moment():
     """The drive that turns the link and has its own torque: the note would set one beside the formula of the other."""
-    found = course.solve(course.loads(LINKED.replace("drive:\n", "drive:\n  torque: 50 N*m\n"))).drive
+    found = course.solve(loading.loads(LINKED.replace("drive:\n", "drive:\n  torque: 50 N*m\n"))).drive
     s = whole(found, "drive").s
     assert found.given.torque == 50 and not found.asked and told(found) == []
     assert "T_mean" not in s and s.number("M_mean") == pytest.approx(31.830988618379067)
@@ -61,7 +61,7 @@ def test_a_stated_torque_is_not_called_that_of_the_mean_moment():
 
 @pytest.mark.parametrize("name", ["compressor", "drum_motor", "hoist_drive"])
 def test_every_formula_of_a_ready_variant(name):
-    assert told(course.solve(course.load(VARIANTS / f"{name}.yaml")).drive) == []
+    assert told(course.solve(loading.load(VARIANTS / f"{name}.yaml")).drive) == []
 
 
 def told(found):

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.eccentric.given import Point
 from tmm_report.chapters.gears.eccentric.paths import traced
 from tmm_report.chapters.gears.eccentric.solve import mechanism as eccentric
@@ -160,7 +160,7 @@ def test_a_middle_satellite_of_half_a_tooth_has_no_mass():
 def test_satellites_of_half_a_tooth_save_nothing():
     """The set holds the middle ones alone: nothing is said of the masses of the largest and the smallest."""
     text = "language: en\neccentric: {ratio: 53/27, eccentricity: 3 mm, module: 2 mm, satellites: [middle], "
-    results = course.solve(course.loads(text + "width: 20 mm, density: 7800 kg/m^3}"))
+    results = course.solve(loading.loads(text + "width: 20 mm, density: 7800 kg/m^3}"))
     made = steps(results.eccentric)
     assert made.masses.computed() == ["m4"] and "saved_share" not in made.s
     page = render(results, "html")["note.html"].decode()
@@ -184,6 +184,6 @@ TEXT = "eccentric: {{ratio: 4, eccentricity: 18 mm, module: 2 mm, {}}}"
 )
 def test_what_cannot_be_is_refused_in_its_place(more, key):
     with pytest.raises(ProblemError) as error:
-        course.loads(TEXT.format(more))
+        loading.loads(TEXT.format(more))
     (problem,) = error.value.problems
     assert problem.path[-1] == key and (problem.right or "out of range" in str(problem.wrong))

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.eccentric.quantities import tables, values
 from tmm_report.problems import ProblemError
 
@@ -26,7 +26,7 @@ LOADS = {
 
 
 def solved(which, load):
-    return course.solve(course.loads(f"eccentric: {{module: 2 mm, {which}, load: {{{load}}}}}")).eccentric
+    return course.solve(loading.loads(f"eccentric: {{module: 2 mm, {which}, load: {{{load}}}}}")).eccentric
 
 
 @pytest.fixture(params=itertools.product(SETS, LOADS), ids="-".join)

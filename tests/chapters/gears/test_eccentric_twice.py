@@ -9,7 +9,7 @@ from notes import VARIANTS
 from test_eccentric_loads import by_displacements, lines
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.eccentric import equations
 from tmm_report.chapters.gears.eccentric.quantities import tables
 from tmm_report.chapters.gears.eccentric.steps import WRITTEN, steps
@@ -36,8 +36,8 @@ CASES = {
 
 def solved(name):
     if name in CASES:
-        return course.solve(course.loads(f"eccentric: {{module: 2 mm, {CASES[name]}}}")).eccentric
-    return course.solve(course.load(VARIANTS / f"{name}.yaml")).eccentric
+        return course.solve(loading.loads(f"eccentric: {{module: 2 mm, {CASES[name]}}}")).eccentric
+    return course.solve(loading.load(VARIANTS / f"{name}.yaml")).eccentric
 
 
 @pytest.fixture(scope="module", params=[*CASES, "eccentric"])

@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 from notes import render
 
 from tmm_report import solve
-from tmm_report.course import doubts, loads, sound, summary
+from tmm_report.course import doubts, sound, summary
+from tmm_report.loading import loads
 from tmm_report.problems import ProblemError
 
 UNDERCUT = "ratio: -1, module: 2 mm, teeth: [10, 10], shift: [0, 0]"

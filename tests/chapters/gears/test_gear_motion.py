@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.chapters.gears.drive import solve as drive
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.chapters.gears.spur.solve.motion import sliding_limit
@@ -109,5 +109,5 @@ def test_a_pair_behind_an_output_that_stands_still_has_no_velocity():
 def test_an_impossible_limit_is_refused():
     text = "drive: {speed: 100 rpm, stages: [{kind: spur, ratio: -2, module: 2 mm, teeth: [20, 40], sliding_limit: 0}]}"
     with pytest.raises(ProblemError) as error:
-        course.loads(text)
+        loading.loads(text)
     assert error.value.problems[0].path[-1] == "sliding_limit"

@@ -8,7 +8,7 @@ import pytest
 from notes import render
 
 from tmm_report import solve
-from tmm_report.course import loads
+from tmm_report.loading import loads
 
 FAILED = """
 language: en

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.chapters.gears.spur.solve.mesh import SCALES, TOOTH
 from tmm_report.chapters.gears.spur.solve.readings import Reading, read_off
@@ -89,9 +89,9 @@ def test_the_difference_is_that_of_the_course():
 
 def test_the_accuracy_of_a_variant_is_said_and_used():
     text = Path("variants/hoist_drive.yaml").read_text("utf-8")
-    stated = course.loads(text + "\ndrawing: {accuracy: 0.1 mm}\n")
+    stated = loading.loads(text + "\ndrawing: {accuracy: 0.1 mm}\n")
     assert stated.drive.stages[0].accuracy == 1e-4
-    assert course.loads(text).drive.stages[0].accuracy == ACCURACY
+    assert loading.loads(text).drive.stages[0].accuracy == ACCURACY
 
 
 def test_the_teeth_are_at_least_40_mm_high_at_the_smallest_such_standard_scale(mesh):

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.chapters.gears.planetary.solve import stage as planetary
 from tmm_report.chapters.gears.planetary.solve.schemes import WORTH, choose
 from tmm_report.mechanics.gears.planetary.search import Task
@@ -92,5 +92,5 @@ TEXT = "drive: {{speed: 100 rpm, stages: [" + STAGE + "]}}"
 )
 def test_teeth_and_names_of_one_scheme_do_not_go_with_any(more):
     with pytest.raises(ProblemError) as error:
-        course.loads(TEXT.format(more))
+        loading.loads(TEXT.format(more))
     assert error.value.problems[0].right is not None

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.chapters.gears.drive import bounds
 from tmm_report.chapters.gears.drive import solve as drive
 from tmm_report.chapters.gears.drive.block import DriveModel
@@ -136,7 +136,7 @@ drive:
   stages: [{kind: planetary, ratio: 6.56, module: 5 mm, satellites: 3, input: sun, output: carrier, tolerance: 10 %}]
 """
     with pytest.raises(ProblemError) as caught:
-        course.loads(text)
+        loading.loads(text)
     (problem,) = caught.value.problems
     assert problem.path == ("drive", "stages", 0, "tolerance") and problem.line == 5
     assert "10 %" in str(problem.wrong) and "up to 4 %" in str(problem.right)

@@ -8,7 +8,7 @@ from notes import VARIANTS
 from test_planetary_stage import SINGLE, STAGES, TWO, given
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.planetary.equations import (
     coaxiality,
     deviation,
@@ -45,7 +45,7 @@ def test_every_formula_agrees_with_the_second_way(name):
 
 @pytest.mark.parametrize("name", ["compressor", "drum_motor", "hoist_drive"])
 def test_every_formula_of_a_ready_variant(name):
-    stages = course.solve(course.load(VARIANTS / f"{name}.yaml")).drive.stages
+    stages = course.solve(loading.load(VARIANTS / f"{name}.yaml")).drive.stages
     assert [told(one) for one in stages if isinstance(one, Found)] == [[]]
 
 

@@ -9,7 +9,7 @@ from notes import VARIANTS
 from test_spur_stage import CASES, FREE, GUIDE
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.spur.given import Backlash, Inspection, Quality
 from tmm_report.chapters.gears.spur.quantities import book
 from tmm_report.chapters.gears.spur.solve import pair as spur
@@ -80,7 +80,7 @@ def test_every_formula_agrees_with_the_second_way(name):
 
 @pytest.mark.parametrize("name", ["compressor", "hoist_drive"])
 def test_every_formula_of_a_ready_variant(name):
-    stages = course.solve(course.load(VARIANTS / f"{name}.yaml")).drive.stages
+    stages = course.solve(loading.load(VARIANTS / f"{name}.yaml")).drive.stages
     assert [told(one) for one in stages if isinstance(one, spur.Found)] == [[]]
 
 

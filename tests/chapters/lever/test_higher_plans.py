@@ -8,8 +8,8 @@ from conftest import stating
 from test_drawn_values import drawn, force_errors, plan_errors
 
 from tmm_report import solve
-from tmm_report.course import loads
 from tmm_report.i18n import Translator
+from tmm_report.loading import loads
 
 TRIAD = """\
 mechanism:

@@ -9,7 +9,7 @@ import pytest
 from conftest import read
 from notes import VARIANTS, render
 
-from tmm_report import course, yamlread
+from tmm_report import course, loading, yamlread
 from tmm_report.chapters.lever.plans.draw import plan_picture
 from tmm_report.problems import ProblemError
 from tmm_report.quantity.paper import LONGEST, ROUND, fitting_scale, segment_scale
@@ -34,7 +34,7 @@ def solved(name: str, **blocks: dict) -> course.Results:
     """The variant without readings and with these blocks."""
     data = yamlread.loads((VARIANTS / f"{name}.yaml").read_text("utf-8"), "v.yaml", []).data
     data.pop("readings", None)
-    return course.solve(course.loads(json.dumps(data | blocks), "v.yaml"))
+    return course.solve(loading.loads(json.dumps(data | blocks), "v.yaml"))
 
 
 def mistakes(drawing: dict) -> list[tuple[str, str]]:

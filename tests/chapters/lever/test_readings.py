@@ -11,7 +11,7 @@ from conftest import read
 from notes import VARIANTS, render
 from typer.testing import CliRunner
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.cli import app
 from tmm_report.judging.asked import POSITION
 from tmm_report.problems import ProblemError
@@ -25,7 +25,7 @@ def own(readings: dict) -> course.Results:
     data = yaml.safe_load(TEXT)
     data.pop("drive")
     return course.solve(
-        course.loads(yaml.safe_dump(data | {"readings": readings}, allow_unicode=True), "v.yaml")
+        loading.loads(yaml.safe_dump(data | {"readings": readings}, allow_unicode=True), "v.yaml")
     )
 
 
@@ -180,15 +180,15 @@ def test_a_number_without_its_sign_is_right_in_magnitude_and_said_to_be_no_more(
 def test_readings_of_a_mechanism_with_wheels():
     """The wheels' own columns are among what may be read; a ratio upside down is told."""
     text = (VARIANTS.parent / "tests" / "statements" / "geared_five_bar.yaml").read_text("utf-8")
-    lever = course.solve(course.loads(text)).lever
-    found = {column.key: column.values[7] for table in results_tables(course.solve(course.loads(text)))
+    lever = course.solve(loading.loads(text)).lever
+    found = {column.key: column.values[7] for table in results_tables(course.solve(loading.loads(text)))
              for column in table.columns if column.key in ("F_n_12", "R_12", "w_2", "M_bal")
              and len(column.values) == 13}  # fmt: skip
     assert found["w_2"] == pytest.approx(-2 * lever.kinematics.omega)
     right = "".join(f", {key}: {value:.6g}" for key, value in found.items()).removeprefix(", ")
-    own = course.solve(course.loads(f"{text}\nreadings: {{7: {{{right}}}}}\n")).lever.readings
+    own = course.solve(loading.loads(f"{text}\nreadings: {{7: {{{right}}}}}\n")).lever.readings
     assert len(own.rows[7]) == 4 and not own.wrong
     other = course.solve(
-        course.loads(f"{text}\nreadings: {{7: {{w_2: {found['w_2'] / 4:.6g}}}}}\n")
+        loading.loads(f"{text}\nreadings: {{7: {{w_2: {found['w_2'] / 4:.6g}}}}}\n")
     ).lever.readings
     assert [one.written for one in other.wrong] == ["w_2"]

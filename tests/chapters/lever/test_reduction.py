@@ -14,7 +14,7 @@ from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas
 from test_arithmetic import wrong_results
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.kinematics.given import Positions
 from tmm_report.chapters.lever.kinetostatics.solve.positions import external_power, kinetic_energy
 from tmm_report.problems import ProblemError
@@ -76,7 +76,7 @@ def test_nothing_to_reduce_is_told():
     text = VARIANTS.joinpath("crank_rocker.yaml").read_text(encoding="utf-8")
     light = re.sub(r"\b(mass|mass_centre|inertia): [^,}\n]*,? ?", "", text.split("\nloads:")[0])
     with pytest.raises(ProblemError) as error:
-        course.loads(light + "\nreduction: true\n")
+        loading.loads(light + "\nreduction: true\n")
     assert [problem.path for problem in error.value.problems] == [("reduction",)]
 
 
@@ -134,7 +134,7 @@ LAWS = {
 
 
 def by_law(drives, reduced="true"):
-    return course.solve(course.loads(BY_LAW.replace("DRIVES", drives).replace("REDUCED", reduced))).lever
+    return course.solve(loading.loads(BY_LAW.replace("DRIVES", drives).replace("REDUCED", reduced))).lever
 
 
 @pytest.mark.parametrize("law", LAWS)
@@ -184,13 +184,13 @@ def test_by_a_law_the_equation_of_motion_gives_the_balancing_moment(law):
 def test_by_a_law_the_reduction_to_another_link_is_refused_with_what_is_offered():
     text = BY_LAW.replace("DRIVES", LAWS["harmonic"]).replace("REDUCED", "{link: 3}")
     with pytest.raises(ProblemError, match="reduction: true, to the driving link"):
-        course.loads(text)
+        loading.loads(text)
 
 
 @pytest.mark.parametrize("language", ["en", "ru"])
 def test_by_a_law_the_note_writes_the_equation_of_motion(language):
     results = course.solve(
-        course.loads(BY_LAW.replace("DRIVES", LAWS["with a dwell"]).replace("REDUCED", "true"))
+        loading.loads(BY_LAW.replace("DRIVES", LAWS["with a dwell"]).replace("REDUCED", "true"))
     )
     html = render(results, "html", language)["note.html"].decode()
     note, document = read_note(html), json.loads(render(results, "json")["results.json"])

@@ -8,7 +8,7 @@ from conftest import LEVERS
 from edge_variants import PUMP, ROCKER, found, refused
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 
@@ -97,7 +97,7 @@ def test_a_point_of_one_link_alone_is_no_joint_with_friction():
 
 
 def test_no_ready_variant_states_something_in_vain():
-    told = [problem.text() for path in LEVERS for problem in course.load(path).doubts]
+    told = [problem.text() for path in LEVERS for problem in loading.load(path).doubts]
     assert [line for line in told if "effect" in line or "loads" in line or "no mass" in line] == []
 
 
@@ -133,7 +133,7 @@ drive:
 )
 def test_blocks_of_a_mechanism_that_there_is_not(block):
     key = block.split(":")[0]
-    variant = course.loads(GEARS + block, "v")
+    variant = loading.loads(GEARS + block, "v")
     assert [problem.key for problem in variant.doubts] == [key]
 
 
@@ -161,6 +161,6 @@ SHAKEN = "vibration: {mass: 90, stiffness: 9 kN/m, mechanism: right}\n"
 )
 def test_masses_that_another_chapter_uses_are_not_called_useless(block):
     """Of a block that needs no loads."""
-    said = [one.text() for one in course.loads(PUMP + block).doubts]
+    said = [one.text() for one in loading.loads(PUMP + block).doubts]
     assert not any("no force analysis is made" in text for text in said)
-    assert any("no force analysis is made" in one.text() for one in course.loads(PUMP).doubts)
+    assert any("no force analysis is made" in one.text() for one in loading.loads(PUMP).doubts)

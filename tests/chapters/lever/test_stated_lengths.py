@@ -12,7 +12,7 @@ from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_sp
 from test_arithmetic import wrong_results
 
 from tmm_report import solve, stack
-from tmm_report.course import loads
+from tmm_report.loading import loads
 from tmm_report.problems import ProblemError
 
 TEXT = """language: {language}

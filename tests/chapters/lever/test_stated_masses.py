@@ -15,7 +15,7 @@ from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_sp
 from test_arithmetic import wrong_results
 
 from tmm_report import solve
-from tmm_report.course import loads
+from tmm_report.loading import loads
 from tmm_report.mechanics.lever.stated_masses import LengthOf, MassOf, PerLength, dimension, worked
 from tmm_report.problems import ProblemError
 from tmm_report.quantity.units import WrongValue

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.kinetostatics.quantities import tables as kinetostatics_tables
 from tmm_report.chapters.lever.kinetostatics.quantities import values as kinetostatics_values
 from tmm_report.chapters.lever.structure.naming import link_name
@@ -30,7 +30,7 @@ def with_stroke(text, stroke):
 
 
 def solved(text):
-    return course.solve(course.loads(text)).lever
+    return course.solve(loading.loads(text)).lever
 
 
 LAWS = {
@@ -180,7 +180,7 @@ REFUSED = {
 def test_what_is_not_offered_is_said_with_its_key(name):
     text, wrong, key = REFUSED[name]
     with pytest.raises(ProblemError) as error:
-        course.loads(text)
+        loading.loads(text)
     said = [problem.text() for problem in error.value.problems]
     assert len(said) == 1
     assert wrong in said[0]
@@ -221,11 +221,11 @@ def test_run_up_and_down_is_a_trapezoid():
     """The distance is the area under the speed: v (T − t₁/2 − t₂/2); the same by stated accelerations."""
     base = SLIDER.replace(UNIFORM, "{from: 0.35 m, STATED}")
     stated = "to: 0.60 m, speed: 1.2 m/s, run_up: 0.05 s, run_down: 0.02 s"
-    law = course.loads(base.replace("STATED", stated)).lever.mechanism.driver.stroke.law
+    law = loading.loads(base.replace("STATED", stated)).lever.mechanism.driver.stroke.law
     assert law.period == pytest.approx(0.25 / 1.2 + 0.035, rel=1e-15)
     assert float(law.at(np.array([law.period]))[0][0]) == pytest.approx(0.60, rel=1e-15)
     pieces = "accelerations: [[0.05 s, 24 m/s^2], [%r s, 0], [0.02 s, -60 m/s^2]]" % (law.period - 0.07)
-    other = course.loads(base.replace("STATED", pieces)).lever.mechanism.driver.stroke.law
+    other = loading.loads(base.replace("STATED", pieces)).lever.mechanism.driver.stroke.law
     t = np.linspace(0, law.period, 301)
     for one, two in zip(law.at(t), other.at(t), strict=True):
         assert one == pytest.approx(two, abs=1e-12)
@@ -241,7 +241,7 @@ def test_run_up_and_down_is_a_trapezoid():
 def test_instants_by_the_stroke(stated):
     """At 0.50 m, as often as the stroke comes there: once, or forth and back."""
     text = SLIDER.replace(UNIFORM, stated).replace("plans: [12]", "plans: [12], at: [0.50 m]")
-    law = (found := course.solve(course.loads(text)).lever).kinematics.linkage.mechanism.driver.stroke.law
+    law = (found := course.solve(loading.loads(text)).lever).kinematics.linkage.mechanism.driver.stroke.law
     times = found.kinematics.instants * law.period / (2 * np.pi)
     dense = np.linspace(0, law.period, 199_999)
     crossings = np.flatnonzero(np.diff(np.sign(law.at(dense)[0] - 0.5)))

@@ -8,7 +8,7 @@ import yaml
 from conftest import solved, stating
 from notes import VARIANTS
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.kinematics.given import Positions
 from tmm_report.chapters.lever.kinetostatics.solve.positions import external_power, kinetic_energy
 from tmm_report.problems import ProblemError
@@ -36,7 +36,7 @@ reduction: {link: 3}
 
 def statement(name: str, more: str = "reduction: true") -> course.LeverFound:
     text = STATEMENTS.joinpath(f"{name}.yaml").read_text("utf-8")
-    return course.solve(course.loads(f"{text}\n{more}\n")).lever
+    return course.solve(loading.loads(f"{text}\n{more}\n")).lever
 
 
 @pytest.fixture(
@@ -61,7 +61,7 @@ def reduced(request) -> course.LeverFound:
 
 def test_by_the_closed_form_of_a_slider_crank():
     """m = m_3 + J/(ds/dφ)², and its derivative by its own formula."""
-    found = course.solve(course.loads(CRANK)).lever.translation
+    found = course.solve(loading.loads(CRANK)).lever.translation
     r, l, J, m3, omega = 0.1, 0.35, 0.05, 4.0, 20.0
     phi = np.radians(10) + found.table.turned
     root = np.sqrt(l**2 - (r * np.sin(phi)) ** 2)
@@ -135,7 +135,7 @@ def test_slope_is_the_derivative_by_differences(name):
         given = stating(solved(name).variant, translation=link, readings={}, loads=None, friction=None).lever
     else:
         text = STATEMENTS.joinpath(f"{name}.yaml").read_text("utf-8").split("\nloads:")[0]
-        given = course.loads(text + "\nreduction: true\n").lever
+        given = loading.loads(text + "\nreduction: true\n").lever
     fine = Positions(table=12, diagram=720, plans=(), force_plan=())
     found = course.solve_lever(replace(given, positions=fine)).translation.diagram
 
@@ -189,7 +189,7 @@ def test_a_stroke_that_starts_from_rest_has_its_reduced_mass_there():
 )
 def test_a_link_that_does_not_slide_is_told(asked, wrong, right):
     with pytest.raises(ProblemError) as error:
-        course.loads(CRANK.replace("{link: 3}\n", f"{asked}\n"))
+        loading.loads(CRANK.replace("{link: 3}\n", f"{asked}\n"))
     assert [one.path for one in error.value.problems] == [("reduction", "link")]
     told = str(error.value)
     assert wrong in told and right in told
@@ -197,7 +197,7 @@ def test_a_link_that_does_not_slide_is_told(asked, wrong, right):
 
 def test_something_else_than_true_or_a_link_is_told():
     with pytest.raises(ProblemError) as error:
-        course.loads(CRANK.replace("{link: 3}\n", "[3]\n"))
+        loading.loads(CRANK.replace("{link: 3}\n", "[3]\n"))
     assert "true, or a link that slides along a guide: {link: 5}" in str(error.value)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from conftest import read, solved, stating
 
-from tmm_report import course, note
+from tmm_report import course, loading, note
 from tmm_report.chapters.lever.transmission import solve
 from tmm_report.i18n import Translator
 from tmm_report.problems import ProblemError
@@ -80,12 +80,12 @@ def test_a_mechanism_of_blocks_alone_is_told_to_have_none():
 
 def test_without_a_mechanism_it_is_told():
     with pytest.raises(ProblemError) as error:
-        course.loads("transmission: 40 deg\nrotor: {}\n")
+        loading.loads("transmission: 40 deg\nrotor: {}\n")
     assert ("transmission",) in [problem.path for problem in error.value.problems]
 
 
 def test_a_cam_has_a_pressure_angle_and_no_transmission_angle():
     """The link that replaces it is measured in its own length: the law of cosines says nothing of it."""
     with open("variants/cam_press.yaml", encoding="utf-8") as file:
-        solved = course.solve(course.loads(file.read() + "\ntransmission: 40 deg\n"))
+        solved = course.solve(loading.loads(file.read() + "\ntransmission: 40 deg\n"))
     assert [one.group.links for one in solved.lever.transmission.couplers] == [("3", "4")]

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 TEXT = """language: en
@@ -111,7 +111,7 @@ def test_a_slip_is_told_with_its_cure(slip):
 def cured(text, key, words, cure):
     """At the key the words and the cure are told, with a line."""
     with pytest.raises(ProblemError) as caught:
-        course.loads(text)
+        loading.loads(text)
     told = [problem for problem in caught.value.problems if problem.key == key]
     assert told, [problem.text() for problem in caught.value.problems]
     assert any(words in problem.text() and cure in problem.text() for problem in told)
@@ -130,7 +130,7 @@ SOLVED = {
 def test_what_the_structure_says_against_it(slip):
     right, wrong, words, cure = SOLVED[slip]
     assert TEXT.count(right) == 1
-    variant = course.loads(TEXT.replace(right, wrong))
+    variant = loading.loads(TEXT.replace(right, wrong))
     with pytest.raises(ProblemError) as caught:
         course.solve(variant)
     told = " ".join(problem.text() for problem in caught.value.problems)
@@ -155,7 +155,7 @@ mechanism:
 
 def test_a_mesh_within_a_group_is_refused_by_name():
     with pytest.raises(ProblemError) as caught:
-        course.solve(course.loads(WITHIN))
+        course.solve(loading.loads(WITHIN))
     (told,) = caught.value.problems
     assert told.key == "mechanism.wheels.0" and "within a group" in told.text()
     assert "let the driving link" in told.text()
@@ -171,10 +171,10 @@ mechanism:
   driver: {link: 1, speed: 1}
 """
     with pytest.raises(ProblemError) as caught:
-        course.solve(course.loads(text))
+        course.solve(loading.loads(text))
     (told,) = caught.value.problems
     assert told.key == "mechanism.racks.0" and "runs away" in told.text() and "driver.range" in told.text()
-    swung = course.solve(course.loads(text.replace("speed: 1}", "speed: 1, range: 90 deg}"))).lever
+    swung = course.solve(loading.loads(text.replace("speed: 1}", "speed: 1, range: 90 deg}"))).lever
     way = swung.kinematics.table.place("B").real
     assert way[-1] - way[0] == pytest.approx(
         -0.04 * 1.5707963267948966
@@ -182,7 +182,7 @@ mechanism:
 
 
 def test_the_text_itself_is_right():
-    found = course.solve(course.loads(TEXT)).lever.structure
+    found = course.solve(loading.loads(TEXT)).lever.structure
     assert (found.moving_links, found.lower_pairs, found.higher_pairs, found.mobility) == (7, 9, 2, 1)
     assert found.formula == "I(0,1) → z(2) → II2(3,4) → II2(5,6) → z(7)"
 
@@ -242,15 +242,15 @@ positions: {table: 12}
 
 def refused(text):
     with pytest.raises(ProblemError) as caught:
-        course.solve(course.loads(text))
+        course.solve(loading.loads(text))
     return " ".join(problem.text() for problem in caught.value.problems)
 
 
 def test_a_planet_that_does_not_come_back_is_refused_unless_it_carries_nothing():
     assert "1.5 turns for each turn" in refused(PLANET.replace("ratio: 0.5", "ratio: 0.4"))
-    course.solve(course.loads(PLANET.replace("ratio: 0.5", "ratio: 0.4").replace(", D: 30 mm", "")))
+    course.solve(loading.loads(PLANET.replace("ratio: 0.5", "ratio: 0.4").replace(", D: 30 mm", "")))
     course.solve(
-        course.loads(PLANET.replace("ratio: 0.5", "ratio: 0.4").replace("rpm}", "rpm, range: 90 deg}"))
+        loading.loads(PLANET.replace("ratio: 0.5", "ratio: 0.4").replace("rpm}", "rpm, range: 90 deg}"))
     )
 
 
@@ -258,7 +258,7 @@ def test_an_unknown_carrier_is_a_mesh_within_a_group():
     text = PLANET.replace("1: {points: {O: 0, A", "3: {points: {O: 0}}\n    1: {points: {O: 0, A")
     sun = "mesh: internal}\n    - {links: [3, 2], carrier: 1, radii: [30 mm, 30 mm]}"
     text = text.replace("ratio: 0.5, mesh: internal}", "radii: [90 mm, 30 mm], " + sun)
-    assert course.solve(course.loads(text)).lever.structure.formula == "I(0,1) → z(2) → z(3)"
+    assert course.solve(loading.loads(text)).lever.structure.formula == "I(0,1) → z(2) → z(3)"
     told = refused(text.replace("link: 1,", "link: 3,"))
     assert "within a group" in told and "and the carrier" in told
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 MECHANISM = """
@@ -39,7 +39,7 @@ def text(driver, ratio=-4, teeth="20, 80", extra=""):
 
 
 def solved(*args, **kwargs):
-    return course.solve(course.loads(text(*args, **kwargs)))
+    return course.solve(loading.loads(text(*args, **kwargs)))
 
 
 def test_the_link_takes_the_speed_and_the_sense_of_the_output():
@@ -57,7 +57,7 @@ def test_friction_of_the_pairs_loads_the_drive():
     """By its dense mean and, of the greatest moment, by a fine table; `friction: false` leaves it out."""
     said = "language: en\n" + text("speed: drive", extra=FRICTION)
     found, without = (
-        course.solve(course.loads(said.replace("  speed: 960", f"{more}  speed: 960")))
+        course.solve(loading.loads(said.replace("  speed: 960", f"{more}  speed: 960")))
         for more in ("", "  friction: false\n")
     )
     left, plain = without.drive, solved("speed: drive").drive
@@ -114,7 +114,7 @@ drive:
   stages: [{kind: planetary, ratio: 6.6, module: 5 mm, teeth: [20, 46, 112], satellites: 3, input: sun,
             output: carrier, fixed: ring}]
 """
-    found = course.solve(course.loads(MECHANISM.format(driver="speed: drive") + stage)).drive
+    found = course.solve(loading.loads(MECHANISM.format(driver="speed: drive") + stage)).drive
     tables = {table.name: table for table in course.room("drive", "quantities").tables(found)}
     along, across = (tables["drive_teeth"][key].values[0] for key in ("F_t_mean", "F_r_mean"))
     assert along == pytest.approx(found.given.torque / 0.05 / 3)
@@ -128,7 +128,7 @@ def test_the_mean_moment_is_the_work_of_the_load_over_a_turn():
 
 def test_a_stated_torque_stays():
     stated = text("speed: drive").replace("  speed: 960 rpm", "  speed: 960 rpm\n  torque: 7 N*m")
-    assert course.solve(course.loads(stated)).drive.given.torque == 7
+    assert course.solve(loading.loads(stated)).drive.given.torque == 7
 
 
 def test_a_link_stated_to_turn_otherwise_is_told_with_both_numbers_and_the_cure():
@@ -154,19 +154,19 @@ def test_a_sense_that_is_stated_against_the_drive_is_told():
 
 def test_a_drive_that_turns_something_else_is_left_alone():
     apart = text("speed: 100 rpm").replace("  speed: 960 rpm", "  speed: 960 rpm\n  output: other")
-    assert not course.doubts(course.solve(course.loads(apart)))
+    assert not course.doubts(course.solve(loading.loads(apart)))
     with pytest.raises(ProblemError, match="turns something else"):
-        course.loads(apart.replace("speed: 100 rpm", "speed: drive"))
+        loading.loads(apart.replace("speed: 100 rpm", "speed: drive"))
 
 
 def test_without_a_drive_there_is_no_speed_to_take():
     with pytest.raises(ProblemError, match="there is no drive"):
-        course.loads(MECHANISM.format(driver="speed: drive"))
+        loading.loads(MECHANISM.format(driver="speed: drive"))
 
 
 def test_teeth_that_cannot_be_found_are_told_at_the_door():
     with pytest.raises(ProblemError) as caught:
-        course.loads(
+        loading.loads(
             MECHANISM.format(driver="speed: drive")
             + """
 drive:

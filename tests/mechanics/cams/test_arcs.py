@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from exhaustive import many
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.mechanics.cams.arcs import FULL_TURN, ArcLaw, Impossible, Outline, Rocker, Slider, outline
 from tmm_report.mechanics.rivals.exact.cams import coordinate
 from tmm_report.mechanics.rivals.exact.numbers import exact
@@ -226,7 +226,7 @@ TYPED = {
 @pytest.mark.parametrize("name", TYPED)
 def test_the_profile_that_the_follower_makes_is_the_outline_it_was_stated_by(name, sense):
     follower, profile = TYPED[name]
-    cam = course.loads(ALONE.format(follower=follower, profile=profile, sense=sense)).cam.cam
+    cam = loading.loads(ALONE.format(follower=follower, profile=profile, sense=sense)).cam.cam
     one = cam.given.law.outline
     at = cam.profile(np.linspace(0, FULL_TURN, 241))
     tip = np.exp(1j * cam.given.law._joints[0])  # towards the nose where the rise begins
@@ -244,7 +244,7 @@ def test_the_profile_that_the_follower_makes_is_the_outline_it_was_stated_by(nam
 @pytest.mark.parametrize("name", TYPED)
 def test_forty_digits_of_the_follower_are_those_of_doubles(name):
     follower, profile = TYPED[name]
-    cam = course.loads(ALONE.format(follower=follower, profile=profile, sense="clockwise")).cam.cam
+    cam = loading.loads(ALONE.format(follower=follower, profile=profile, sense="clockwise")).cam.cam
     for phi in np.linspace(0.05, 6.2, 15):
         ours, theirs = cam.given.of(np.array(phi)), coordinate(cam, exact(float(phi)))
         for own, other in zip(ours, theirs, strict=True):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from exhaustive import many
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.mechanics.calculus.vectors import cross, dot
 from tmm_report.mechanics.cams.cam import Sliding
 from tmm_report.mechanics.cams.stated_profile import ByProfile, Circle
@@ -45,7 +45,7 @@ mechanism:
 
 
 def linkage_of(name: str, sense: str = "counter-clockwise"):
-    return assemble(course.loads(text(*PAIRS[name], sense)).lever.mechanism)
+    return assemble(loading.loads(text(*PAIRS[name], sense)).lever.mechanism)
 
 
 @pytest.fixture(
@@ -157,7 +157,7 @@ def test_a_circular_cam_under_a_flat_face_is_a_scotch_yoke():
 @pytest.mark.exhaustive
 def test_a_circular_cam_under_a_lever_is_a_four_bar_linkage():
     cam = "{follower: 2, roller: {at: B, radius: 8 mm}, side: left, profile: {circle: {radius: 40 mm, at: [12 mm, 0]}}}"
-    found = motion.solve(assemble(course.loads(text(SWINGING, cam)).lever.mechanism), PHI)
+    found = motion.solve(assemble(loading.loads(text(SWINGING, cam)).lever.mechanism), PHI)
     bars = """
 mechanism:
   frame: {O: [0, 0], C: [100 mm, 20 mm]}
@@ -165,7 +165,7 @@ mechanism:
   driver: {link: 1, speed: 10 rad/s}
   assembly: {B: right of A-C}
 """
-    same = motion.solve(assemble(course.loads(bars).lever.mechanism), PHI)
+    same = motion.solve(assemble(loading.loads(bars).lever.mechanism), PHI)
     for kind in ("place", "velocity", "acceleration"):
         assert np.allclose(getattr(found, kind)("B"), getattr(same, kind)("B"), rtol=1e-9, atol=1e-11)
     assert np.allclose(found.angular_acceleration("2"), same.angular_acceleration("2"), rtol=1e-9, atol=1e-9)
@@ -181,7 +181,7 @@ def test_a_profile_by_points_gives_back_the_law_that_it_was_made_by(name):
         points = ", ".join(f"[{z.real!r} , {z.imag!r}]" for z in map(complex, at))
         end = PAIRS[name][1].split("base:")[0]
         cam = f"{end} profile: {{points: [{points}]}}}}"
-        found = assemble(course.loads(text(SLIDING, cam)).lever.mechanism).mechanism.cams[0]
+        found = assemble(loading.loads(text(SLIDING, cam)).lever.mechanism).mechanism.cams[0]
         errors.append(np.max(np.abs(found.moved(PHI)[0].z - made.moved(PHI)[0].z)))
     assert errors[0] < 2e-6 and errors[1] < 2e-7
 

@@ -5,7 +5,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.chapters.cams.cam.block.alone import CamAloneModel
 from tmm_report.chapters.cams.cam.block.build import built
 from tmm_report.chapters.cams.cam.block.laws import Wrong
@@ -113,7 +113,7 @@ def test_a_wrong_profile_lifts_the_follower_by_what_it_is_wrong(end, swings):
 def test_a_hard_shock_asks_for_a_profile_that_cuts_itself():
     text = """cam: {roller: 10 mm, base: 40 mm, lift: 20 mm,
       phases: [{rise: 120 deg, law: uniform}, {dwell: 60 deg}, {return: 120 deg, law: uniform}, {dwell: rest}]}"""
-    cam = course.loads(text).cam.cam
+    cam = loading.loads(text).cam.cam
     phi = np.radians(np.linspace(0, 359, 360))
     difference = off(cam, phi, recovered(cam, phi))
     assert difference.min() > -1e-12 and difference.max() > 1e-5
@@ -124,5 +124,5 @@ def test_a_hard_shock_asks_for_a_profile_that_cuts_itself():
 def test_a_point_that_the_roller_cannot_touch_is_none():
     text = """cam: {roller: 10 mm, base: 40 mm, lift: 20 mm,
       phases: [{rise: 120 deg, law: sine}, {dwell: 60 deg}, {return: 120 deg, law: sine}, {dwell: rest}]}"""
-    cam = course.loads(text).cam.cam
+    cam = loading.loads(text).cam.cam
     assert touching(cam, np.array([0.03 + 0.02j, 0.001 + 0.04j]), np.zeros(2))[0] == -np.inf

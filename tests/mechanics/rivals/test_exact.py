@@ -8,7 +8,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.mechanics.gears.trains import Member, Mesh
 from tmm_report.mechanics.lever import assur_groups, motion
 from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
@@ -47,7 +47,7 @@ def by_formula(
 
 
 def solved_kinematics(name: str) -> course.LeverFound:
-    found = course.solve(course.load(VARIANTS / f"{name}.yaml")).lever
+    found = course.solve(loading.load(VARIANTS / f"{name}.yaml")).lever
     assert found is not None
     return found
 

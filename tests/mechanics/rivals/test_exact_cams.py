@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from test_cam import PAIRS, SLIDING, linkage_of, text
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.mechanics.lever import motion
 from tmm_report.mechanics.lever.assembly.stated import assemble
 from tmm_report.mechanics.lever.cycle import cycle_of
@@ -27,7 +27,7 @@ def linkage(name: str) -> motion.Linkage:
     if name in PAIRS:
         return linkage_of(name)
     return assemble(
-        course.loads(text(SLIDING, {"polar": POLAR, "flat on points": FLAT}[name])).lever.mechanism
+        loading.loads(text(SLIDING, {"polar": POLAR, "flat on points": FLAT}[name])).lever.mechanism
     )
 
 

@@ -11,7 +11,7 @@ from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_sp
 from test_arithmetic import wrong_results
 
 from tmm_report import solve
-from tmm_report.course import loads
+from tmm_report.loading import loads
 
 MASS = "{mass: 0.5 kg, radius: 80 mm, angle: 30 deg, at: 100 mm}"
 OPPOSITE = "{mass: 0.5 kg, radius: 80 mm, angle: 210 deg, at: 300 mm}"

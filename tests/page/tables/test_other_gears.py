@@ -12,7 +12,7 @@ from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
 
 from tmm_report import solve
-from tmm_report.course import loads
+from tmm_report.loading import loads
 
 SUN = "kind: planetary, scheme: sun-ring, module: 5 mm, input: sun"
 TWO = "kind: planetary, module: 4 mm, satellites: [2, 4], fixed: wheel3"

@@ -16,7 +16,7 @@ from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_sp
 from test_arithmetic import wrong_results
 
 from tmm_report import solve
-from tmm_report.course import loads
+from tmm_report.loading import loads
 
 TEXTS = {
     "crank-rocker, free": "crank_rocker: {K: 1.1, swing: 40 deg, rocker: 300 mm, transmission: 30 deg}",

@@ -12,7 +12,7 @@ from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas, wrong_spans
 from test_arithmetic import wrong_results
 
-from tmm_report import course
+from tmm_report import course, loading
 
 AT = "{distance: 50 mm}"
 ALL = "methods: [full, pivoted, substituted, optimum, rotors], rotors: {first: 50 mm, second: 40 mm}"
@@ -51,7 +51,7 @@ def made(state: str):
     name, block = STATES[state]
     text = VARIANTS.joinpath(f"{name}.yaml").read_text("utf-8").split("\nloads:")[0]
     text = re.sub(r"\n(balancing|harmonics|flywheel|friction|reduction):[^\n]*(\n+ [^\n]*)*", "", text)
-    found = course.solve(course.loads(f"{text}\nbalancing: {{{block}}}\nharmonics: {{}}\n"))
+    found = course.solve(loading.loads(f"{text}\nbalancing: {{{block}}}\nharmonics: {{}}\n"))
     note = read(render(found, "html", "en")["note.html"].decode())
     return note, json.loads(render(found, "json", "en")["results.json"])
 

@@ -4,7 +4,7 @@ by plain triangles, rates by differences in time alone, the driving moment from 
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 
 SEEDS = range(24)
 STEP = 2e-4  # s
@@ -90,7 +90,7 @@ def test_motion_and_moment(seed):
     loads = "loads:\n  forces: [{at: B, direction: left, constant: 200 N}]\npositions: {at: [TIMES]}\n"
     times = np.array([0.13, 0.41, 0.77]) * period
     lever = course.solve(
-        course.loads(text + loads.replace("TIMES", ", ".join(f"{float(t)!r} s" for t in times)))
+        loading.loads(text + loads.replace("TIMES", ", ".join(f"{float(t)!r} s" for t in times)))
     ).lever
     motion, forces = lever.kinematics.asked, lever.kinetostatics.asked
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from cases import agrees, case
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.mechanics.masses import engine_cylinders, rotor
 
 FOOT, INCH, G = 0.3048, 0.0254, 32.2  # m, m, ft/s²
@@ -18,7 +18,7 @@ RPM = np.pi / 30
 
 
 def solved(text: str) -> course.Results:
-    return course.solve(course.loads(text))
+    return course.solve(loading.loads(text))
 
 
 def pounds(force: float) -> float:

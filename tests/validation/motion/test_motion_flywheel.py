@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from cases import agrees, case
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.mechanics.calculus.panels import panels
 from tmm_report.mechanics.machine.flywheel import inertia as fly
 from tmm_report.mechanics.machine.flywheel.motion import turning
@@ -23,7 +23,7 @@ RPM = math.pi / 30
 def solved(**keys: object):
     """The flywheel of a variant that states these keys, each as YAML text."""
     text = "flywheel:\n" + "".join(f"  {key}: {value}\n" for key, value in keys.items())
-    return course.solve(course.loads(text)).flywheel
+    return course.solve(loading.loads(text)).flywheel
 
 
 def kinetic(numbers: dict) -> str:

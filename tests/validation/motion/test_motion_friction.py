@@ -8,7 +8,7 @@ import math
 import pytest
 from cases import agrees, case
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.mechanics.pairs import friction as law
 
 INCH, RPM = 0.0254, math.pi / 30
@@ -16,7 +16,7 @@ INCH, RPM = 0.0254, math.pi / 30
 
 def pair(text: str) -> dict[str, float]:
     """The numbers of the one pair that a variant states."""
-    found = course.solve(course.loads(f"language: en\ncontacts:\n  - {{{text}}}\n")).contacts
+    found = course.solve(loading.loads(f"language: en\ncontacts:\n  - {{{text}}}\n")).contacts
     assert found is not None
     return {one.key: one.value for one in found.items[0].s.values()}
 
@@ -161,7 +161,7 @@ positions: {table: 12}
 
 @pytest.fixture(scope="module")
 def engine():
-    return course.solve(course.loads(ENGINE)).lever.friction.corrected.table
+    return course.solve(loading.loads(ENGINE)).lever.friction.corrected.table
 
 
 def test_friction_circles_by_the_force_analysis(engine):
@@ -182,6 +182,6 @@ def test_two_loads_of_a_hoist_as_machines_joined():
         for share, eta in zip(shares, (of["eta1"], of["eta2"]), strict=True)
     )
     text = f"language: en\nefficiency: {{output: {sum(useful)!r} W, parallel: [{parts}]}}"
-    found = course.solve(course.loads(text)).efficiency
+    found = course.solve(loading.loads(text)).efficiency
     power = found.whole.power[0]
     agrees("dubey-2-1-two-loads", P_kW=power / 1e3, T_Nm=power / omega)

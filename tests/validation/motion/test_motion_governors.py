@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from cases import agrees, case, every
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.mechanics.machine.governor import equilibrium as g
 from tmm_report.mechanics.machine.governor import stability as small
 
@@ -164,7 +164,7 @@ def test_vyshnegradsky_normal_form():
 
 
 def solved(text: str):
-    return course.solve(course.loads("governor:\n" + text)).governor.direct
+    return course.solve(loading.loads("governor:\n" + text)).governor.direct
 
 
 def test_porter_range_by_a_variant():

@@ -6,7 +6,7 @@ import pytest
 from cases import agrees, case
 from notes import VARIANTS
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.mechanics.masses import slider_harmonics
 
 
@@ -40,7 +40,7 @@ def test_coefficients_of_a_third(way):
 
 def test_compressor_of_a_third_says_them_in_its_results():
     """The compressor has r/l = 100/300."""
-    found = course.solve(course.load(VARIANTS / "compressor.yaml")).balancing
+    found = course.solve(loading.load(VARIANTS / "compressor.yaml")).balancing
     table = next(
         t for t in course.room("balancing", "quantities").tables(found) if t.name == "slider_harmonics_3"
     )

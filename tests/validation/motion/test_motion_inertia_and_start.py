@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from cases import agrees, case
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.dynamics import quantities
 from tmm_report.mechanics.calculus.panels import panels
 from tmm_report.mechanics.machine import characteristics as ch
@@ -28,7 +28,7 @@ def given(name):
 
 def machine(text):
     """What the chapter finds in a variant that is a machine of shafts."""
-    return course.solve(course.loads("dynamics:\n" + text)).dynamics
+    return course.solve(loading.loads("dynamics:\n" + text)).dynamics
 
 
 def value(found, key):
@@ -178,7 +178,7 @@ def test_crank_moment_of_a_steam_engine_as_a_variant():
     head, rod = (math.pi / 4 * x[key] ** 2 for key in ("D_in", "d_rod_in"))
     force = x["p1_psi"] * head - x["p2_psi"] * (head - rod)
     heavy = ENGINE.replace("A: 12}", "A: 12}, mass: 1, mass_centre: O, inertia: 1")
-    found = course.solve(course.loads(heavy.replace("FORCE", repr(force)))).lever
+    found = course.solve(loading.loads(heavy.replace("FORCE", repr(force)))).lever
     moment = abs(found.reduction.table.whole_moment[1]) / 12
     agrees("bevan-12-3-crank-moment", T_lbft_exact_kinematics=moment)
 

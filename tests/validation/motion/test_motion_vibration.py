@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from cases import agrees, case
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.mechanics.masses import vibration as vib
 from tmm_report.mechanics.masses.vibration import Body
 
@@ -14,7 +14,7 @@ RPM = math.pi / 30
 
 
 def found(lines: str):
-    return course.solve(course.loads("vibration:\n" + lines)).vibration
+    return course.solve(loading.loads("vibration:\n" + lines)).vibration
 
 
 def test_isolators_stiff_and_soft():

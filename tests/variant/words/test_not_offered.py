@@ -2,7 +2,7 @@
 
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 TEXT = """language: en
@@ -38,7 +38,7 @@ def test_what_is_not_offered_says_so(key):
     right, wrong, words = SLIPS[key]
     assert TEXT.count(right) == 1
     with pytest.raises(ProblemError) as caught:
-        course.loads(TEXT.replace(right, wrong))
+        loading.loads(TEXT.replace(right, wrong))
     told = {problem.key: problem.text() for problem in caught.value.problems}
     assert words in told[key]
 
@@ -95,7 +95,7 @@ NAMED = {
 def test_what_textbooks_have_is_known_by_its_name(text):
     key, words = NAMED[text]
     with pytest.raises(ProblemError) as caught:
-        course.loads(f"language: en\n{text}\n")
+        loading.loads(f"language: en\n{text}\n")
     told = {problem.key: problem.text() for problem in caught.value.problems}
     assert words in told[key]
 
@@ -110,13 +110,13 @@ ONE_SLIP = (
 @pytest.mark.parametrize("text", ONE_SLIP)
 def test_one_slip_is_told_once(text):
     with pytest.raises(ProblemError) as caught:
-        course.loads(f"language: en\n{text}\n")
+        loading.loads(f"language: en\n{text}\n")
     assert len(caught.value.problems) == 1
 
 
 def test_a_governor_of_no_kind_is_still_told():
     with pytest.raises(ProblemError, match="nothing says what kind of governor it is"):
-        course.loads("language: en\ngovernor: {balls: {mas: 1 kg}}\n")
+        loading.loads("language: en\ngovernor: {balls: {mas: 1 kg}}\n")
 
 
 IN_THE_MECHANISM = {
@@ -134,16 +134,16 @@ IN_THE_MECHANISM = {
 def test_what_a_mechanism_has_not_is_known_by_its_name(key):
     right, wrong, words = IN_THE_MECHANISM[key]
     with pytest.raises(ProblemError) as caught:
-        course.loads(TEXT.replace(right, wrong))
+        loading.loads(TEXT.replace(right, wrong))
     told = {problem.key: problem.text() for problem in caught.value.problems}
     assert words in told[key]
 
 
 def test_a_ratio_without_a_sign_is_asked_about():
     text = "language: en\ndrive: {speed: 1000 rpm, stages: [{kind: spur, ratio: 3, teeth: [20, 60], module: 2 mm}]}\n"
-    asked = [one.text() for one in course.doubts(course.solve(course.loads(text)))]
+    asked = [one.text() for one in course.doubts(course.solve(loading.loads(text)))]
     assert any("is the pair external or internal?" in one and "ratio: -3" in one for one in asked), asked
 
 
 def test_the_text_itself_is_right():
-    assert course.loads(TEXT).lever is not None
+    assert loading.loads(TEXT).lever is not None

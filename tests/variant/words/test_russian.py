@@ -2,7 +2,7 @@
 
 import pytest
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.languages import LANGUAGES
 from tmm_report.problems import ProblemError
 from tmm_report.variant import russian
@@ -38,7 +38,7 @@ def stated(words):
     text = MECHANISM
     for key, word in words.items():
         text = text.replace(key, word)
-    return course.loads(text).lever
+    return loading.loads(text).lever
 
 
 def test_words_in_russian_are_read_as_their_twins():
@@ -58,7 +58,7 @@ def test_a_side_of_a_line_in_russian():
 def test_the_kind_of_a_stage_in_russian():
     stage = "{kind: цилиндрическая, mesh: внешнее, ratio: 3, module: 3 mm}"
     text = f"language: ru\ndrive: {{speed: 1000 rpm, stages: [{stage}]}}\n"
-    one, other = (course.loads(one).drive for one in (text, text.replace("цилиндрическая", "spur")))
+    one, other = (loading.loads(one).drive for one in (text, text.replace("цилиндрическая", "spur")))
     assert [type(stage) for stage in one.stages] == [type(stage) for stage in other.stages]
 
 
@@ -71,7 +71,7 @@ def enumerated(schema):
 
 
 def test_every_word_of_the_format_has_its_twin():
-    assert enumerated(course.schema()) - russian.words() - set(LANGUAGES) == set()
+    assert enumerated(loading.schema()) - russian.words() - set(LANGUAGES) == set()
 
 
 def keys_of(schema):
@@ -85,7 +85,7 @@ def keys_of(schema):
 
 
 def test_every_key_of_the_format_has_its_twin_and_is_answered_by_it():
-    keys = keys_of(course.schema()) - SYMBOLS
+    keys = keys_of(loading.schema()) - SYMBOLS
     assert keys - russian.keys() == set()
     for key in keys:
         twins = russian._KEYS[key].split(", ")
@@ -103,7 +103,7 @@ def test_no_twin_stands_for_two_words_of_one_place():
             for value in schema:
                 yield from places(value)
 
-    for words in places(course.schema()):
+    for words in places(loading.schema()):
         for twin, meant in russian._ENGLISH.items():
             assert len(meant & set(map(str, words))) < 2, (twin, words)
 
@@ -121,7 +121,7 @@ def test_a_russian_key_is_answered_with_the_english_one(text, path, word):
     for key, one in ENGLISH.items():
         text = text.replace(key, one)
     with pytest.raises(ProblemError) as caught:
-        course.loads(text)
+        loading.loads(text)
     told = {problem.key: problem.text() for problem in caught.value.problems}
     assert told[path].endswith(f"keys are English words: {word}")
 
@@ -130,5 +130,5 @@ def test_names_and_texts_stay_as_they_are():
     text = MECHANISM.replace("{O: [0, 0], C: [0.1, 0.2]}", "{O: [0, 0], вниз: [0.1, 0.2]}")
     for key, one in RUSSIAN.items():
         text = text.replace(key, one)
-    found = course.loads(text + "title: {topic: насос}\n")
+    found = loading.loads(text + "title: {topic: насос}\n")
     assert "вниз" in found.lever.mechanism.links["0"].points and found.title.topic == "насос"

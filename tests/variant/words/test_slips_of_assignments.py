@@ -5,7 +5,7 @@
 
 import pytest
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.problems import ProblemError
 from tmm_report.resources import data_root
 
@@ -180,14 +180,14 @@ IDS = [f"{one[4]}-{n}" for n, one in enumerate(SLIPS)]
 
 @pytest.mark.parametrize("text", [LOADED, DRIVEN, WHEELS, FIND], ids=["loaded", "driven", "wheels", "find"])
 def test_the_texts_themselves_are_right(text):
-    assert course.loads(text)
+    assert loading.loads(text)
 
 
 @pytest.mark.parametrize(("text", "right", "wrong", "line", "key", "cure"), SLIPS, ids=IDS)
 def test_a_slip_is_told_once_with_its_line_and_cure(text, right, wrong, line, key, cure):
     assert text.count(right) == 1
     with pytest.raises(ProblemError) as caught:
-        course.loads(text.replace(right, wrong))
+        loading.loads(text.replace(right, wrong))
     (told,) = caught.value.problems
     assert (told.line, told.key) == (line, key)
     assert cure in told.text()

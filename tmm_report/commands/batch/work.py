@@ -17,7 +17,8 @@ from tmm_report.commands.batch import record
 from tmm_report.commands.batch.inputs import Task
 from tmm_report.commands.files import render
 from tmm_report.commands.solve import summary
-from tmm_report.course import Results, Variant, loads
+from tmm_report.course import Results, Variant
+from tmm_report.loading import loads
 from tmm_report.problems import Message, Problem, ProblemError, shown
 from tmm_report.running.journal import Record
 from tmm_report.stack import solve_each

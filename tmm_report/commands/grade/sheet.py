@@ -8,13 +8,13 @@ from tmm_report.backwards import solve
 from tmm_report.commands.batch.inputs import Task, inputs
 from tmm_report.commands.files import translator, write
 from tmm_report.commands.talk import Talk, failure, unwritable, written
-from tmm_report.course import loads
 from tmm_report.grading import rubric as rubrics
 from tmm_report.grading import senses
 from tmm_report.grading.expected import expected
 from tmm_report.grading.handed_in.template import FORMATS, different, template, whose_line
 from tmm_report.grading.marks import closed
 from tmm_report.grading.rubric import Rubric
+from tmm_report.loading import loads
 from tmm_report.problems import N_, Message, ProblemError
 
 

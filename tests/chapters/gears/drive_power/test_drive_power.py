@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.drive import bounds, stages
 from tmm_report.chapters.gears.drive import solve as drive
 from tmm_report.chapters.gears.drive.block import DriveModel, build
@@ -311,7 +311,7 @@ def test_the_search_of_a_stage_is_bounded_and_made_once_beside_one_without_a_rat
 )
 def test_its_note_is_written_whatever_is_left_out(keys):
     text = f"language: en\ndrive: {{{keys}, stages: [{{kind: spur, teeth: [20, 60]}}]}}\n"
-    note = render(course.solve(course.loads(text)), "html")["note.html"].decode()
+    note = render(course.solve(loading.loads(text)), "html")["note.html"].decode()
     assert "The power passes the parts" in note and "nan" not in note
 
 

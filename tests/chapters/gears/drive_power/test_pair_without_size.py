@@ -5,7 +5,7 @@ from notes import render
 from test_drive_power import DRUM, PAIR, PLANETARY, solve
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.drive.quantities import tables
 
 BARE = {"kind": "spur", "teeth": [22, 66], "efficiency": 0.97}
@@ -49,7 +49,7 @@ def test_it_has_no_forces_and_others_of_the_drive_have():
 
 def test_alone_it_is_asked_about_and_under_a_machine_it_is_not():
     text = "drive: {speed: 90 rpm, %s stages: [{kind: spur, teeth: [20, 60]}]}"
-    asked, machine = course.loads(text % ""), course.loads(text % "output: {power: 2 kW}, ")
+    asked, machine = loading.loads(text % ""), loading.loads(text % "output: {power: 2 kW}, ")
     (line,) = [problem.text() for problem in asked.doubts]
     assert "no module is stated" in line and not list(machine.doubts)
 
@@ -58,7 +58,7 @@ def test_what_names_a_size_is_a_pair_with_a_module():
     from tmm_report.problems import ProblemError
 
     with pytest.raises(ProblemError, match="module"):
-        course.loads("drive: {speed: 90 rpm, stages: [{kind: spur, teeth: [20, 60], shift: rule}]}")
+        loading.loads("drive: {speed: 90 rpm, stages: [{kind: spur, teeth: [20, 60], shift: rule}]}")
 
 
 @pytest.mark.parametrize("stage", [BARE, RING])
@@ -66,5 +66,5 @@ def test_its_note(stage):
     teeth = ", ".join(map(str, stage["teeth"]))
     mesh = f", mesh: {stage['mesh']}" if "mesh" in stage else ""
     text = f"drive: {{speed: 90 rpm, stages: [{{kind: spur, teeth: [{teeth}]{mesh}}}]}}\nlanguage: en\n"
-    note = render(course.solve(course.loads(text)), "html")["note.html"].decode()
+    note = render(course.solve(loading.loads(text)), "html")["note.html"].decode()
     assert "No module is stated" in note and "nan" not in note

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 STAGE = "{kind: spur, ratio: -3, teeth: [20, 60], module: 3 mm}"
@@ -26,7 +26,7 @@ LOADS = "loads: {forces: [{at: B, direction: against motion, constant: 500 N}]}\
 def lines(keys, stage=STAGE, before=""):
     text = before + "drive:\n" + "".join(f"  {key}\n" for key in keys) + f"  stages: [{stage}]\n"
     try:
-        course.solve(course.loads(text))
+        course.solve(loading.loads(text))
     except ProblemError as error:
         return [problem.text() for problem in error.problems]
     return []
@@ -88,7 +88,7 @@ def test_teeth_that_are_sought(stage, said):
 
 def test_the_rest_by_a_stated_ratio():
     text = "drive: {speed: 90 rpm, stages: [{kind: spur, ratio: -3.3, teeth: [17, rest], module: 3 mm}]}"
-    (stage,) = course.solve(course.loads(text)).drive.stages
+    (stage,) = course.solve(loading.loads(text)).drive.stages
     assert stage.teeth.z == (17, 56) and stage.wanted == -3.3
 
 
@@ -121,6 +121,6 @@ def test_of_a_driving_link(speed, keys, loads, said):
 
 def test_a_stated_motor_that_is_too_weak_is_a_doubt_and_no_mistake():
     text = "drive:\n  motors: [[a, 2 kW, 155 rpm]]\n  " + DRUM + f"\n  stages: [{STAGE}]\n"
-    results = course.solve(course.loads(text))
+    results = course.solve(loading.loads(text))
     (line,) = [problem.text() for problem in results.drive.doubts if "overloaded" in str(problem.wrong)]
     assert "drive.motors" in line and "2 kW" in line and "by 38.8 %" in line

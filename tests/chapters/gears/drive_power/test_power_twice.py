@@ -7,7 +7,7 @@ from test_drive_power import DRUM, MOTORS, OPEN, PAIR, PLANETARY, solve
 from test_drive_twice import LINKED
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.drive.steps import whole
 
 RPM = 30 / math.pi
@@ -135,7 +135,7 @@ CRANK = {
 
 @pytest.mark.parametrize("name", CRANK)
 def test_every_formula_of_a_drive_that_turns_the_link(name):
-    found = course.solve(course.loads(CRANK[name])).drive
+    found = course.solve(loading.loads(CRANK[name])).drive
     assert told(found) == []
     moment = found.moments.greatest if name == "greatest" else found.moments.mean
     turned = 960 / 4 if name == "linked" else 240
@@ -144,6 +144,6 @@ def test_every_formula_of_a_drive_that_turns_the_link(name):
 
 def test_the_mean_moment_is_the_work_of_the_load():
     """500 N over 0.2 m forward and back, in one turn."""
-    found = course.solve(course.loads(CRANK["its own speed"])).drive
+    found = course.solve(loading.loads(CRANK["its own speed"])).drive
     assert found.power.plan.need.power == pytest.approx(500 * 0.4 * 240 / 60, rel=1e-9)
     assert found.power.motor.name == "b"  # 0.75 kW are too few, 1400 rpm is too quick

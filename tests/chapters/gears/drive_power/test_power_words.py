@@ -6,7 +6,7 @@ import pytest
 from notes import render
 from test_drive_power import DRUM, MOTORS, OPEN, PAIR, solve, values
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.drive.quantities import tables
 from tmm_report.chapters.gears.drive.view import DriveView
 from tmm_report.i18n import Translator
@@ -26,7 +26,7 @@ def shown(found):
 
 def note(keys, stages="{kind: spur, teeth: [20, 60], efficiency: 0.97}"):
     text = f"language: en\ndrive: {{{keys}, stages: [{stages}]}}\n"
-    return render(course.solve(course.loads(text)), "html")["note.html"].decode()
+    return render(course.solve(loading.loads(text)), "html")["note.html"].decode()
 
 
 def of_rows(text):

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.drive.places import placed
 from tmm_report.problems import ProblemError
 
@@ -14,7 +14,7 @@ SECOND = "kind: spur, module: 4 mm, teeth: [18, 42], mesh: external, coaxial: tr
 
 
 def solved(*stages):
-    return course.solve(course.loads(TEXT.format("".join(f"    - {{{stage}}}\n" for stage in stages)))).drive
+    return course.solve(loading.loads(TEXT.format("".join(f"    - {{{stage}}}\n" for stage in stages)))).drive
 
 
 def test_the_second_pair_has_the_distance_of_the_first():

@@ -9,7 +9,7 @@ import pytest
 from notes import render
 from test_spur_stage import CASES, FREE
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.spur.given import Backlash, Inspection
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.problems import ProblemError
@@ -19,7 +19,7 @@ TEXT = "language: en\ndrive:\n  speed: 1000 rpm\n  stages:\n    - {{{}}}\n"
 
 
 def results(stage):
-    return json.loads(render(course.solve(course.loads(TEXT.format(stage))), "json")["results.json"])
+    return json.loads(render(course.solve(loading.loads(TEXT.format(stage))), "json")["results.json"])
 
 
 def limits(document):
@@ -34,7 +34,7 @@ def numbers(document):
 
 
 def note(stage, language="en"):
-    page = render(course.solve(course.loads(TEXT.format(stage))), "html", language)["note.html"].decode()
+    page = render(course.solve(loading.loads(TEXT.format(stage))), "html", language)["note.html"].decode()
     return re.sub(r"<[^>]+>", " ", page).replace("\N{NO-BREAK SPACE}", " ")
 
 
@@ -166,7 +166,7 @@ SLIPS = {
 def test_slips_are_told_at_their_place(slip):
     place, text = SLIPS[slip]
     with pytest.raises(ProblemError) as told:
-        course.solve(course.loads(TEXT.format(f"{PAIR}, backlash: {{{slip}}}")))
+        course.solve(loading.loads(TEXT.format(f"{PAIR}, backlash: {{{slip}}}")))
     assert len(told.value.problems) == 1
     assert f"backlash.{place}" in str(told.value) and text in str(told.value)
 

@@ -9,7 +9,7 @@ import pytest
 from notes import render
 from test_spur_stage import CASES, FREE
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.spur.given import Inspection
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.mechanics.gears.meshing import Rack
@@ -50,7 +50,7 @@ def variant(stage):
 
 
 def table(stage):
-    results = json.loads(render(course.solve(course.loads(variant(stage))), "json")["results.json"])
+    results = json.loads(render(course.solve(loading.loads(variant(stage))), "json")["results.json"])
     return {one["key"]: one["values"] for one in results["tables"]["stage1_inspection"]["columns"]}
 
 
@@ -168,7 +168,7 @@ def test_a_pitch_circle_under_the_root_gives_way():
 
 
 def note(stage, language="en"):
-    results = course.solve(course.loads(variant(stage)))
+    results = course.solve(loading.loads(variant(stage)))
     page = render(results, "html", language)["note.html"].decode()
     return re.sub(r"<[^>]+>", "", page).replace("\N{NO-BREAK SPACE}", " ")
 
@@ -201,7 +201,7 @@ def cells(page, caption):
 
 def test_each_wheel_has_its_own_numbers():
     """A column of the sizes is of the wheel that heads it, a drawing table of its wheel but for the mate's teeth."""
-    results = course.solve(course.loads(variant(SHEET + ", inspection: {drawing_tables: true}")))
+    results = course.solve(loading.loads(variant(SHEET + ", inspection: {drawing_tables: true}")))
     page = render(results, "html", "en")["note.html"].decode()
     sizes = cells(page, "Sizes by which the teeth of pair 1-2 are measured</p>")
     assert len(sizes) == 14 and all([k for _, k in row] == [0, 1] for row in sizes)
@@ -234,7 +234,7 @@ SLIPS = {
 def test_slips_are_told_at_their_place(slip):
     place, text = SLIPS[slip]
     with pytest.raises(ProblemError) as told:
-        course.solve(course.loads(variant(SHEET + f", inspection: {{{slip}}}")))
+        course.solve(loading.loads(variant(SHEET + f", inspection: {{{slip}}}")))
     assert len(told.value.problems) == 1
     assert f"inspection.{place}" in told.value.problems[0].text() and text in told.value.problems[0].text()
 
@@ -242,7 +242,7 @@ def test_slips_are_told_at_their_place(slip):
 def test_several_slips_are_told_at_once():
     slips = ", inspection: {span: [9, 40], chords: [10 mm, 20 mm], pins: [1 mm, 1 mm]}"
     with pytest.raises(ProblemError) as told:
-        course.solve(course.loads(variant(SHEET + slips)))
+        course.solve(loading.loads(variant(SHEET + slips)))
     assert len(told.value.problems) == 6
 
 

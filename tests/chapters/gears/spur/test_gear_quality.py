@@ -10,7 +10,7 @@ import pytest
 from notes import render
 from test_spur_stage import CASES, FREE, GUIDE
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.spur.given import Quality
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.problems import ProblemError
@@ -20,7 +20,7 @@ TEXT = "language: en\ndrive:\n  speed: 1000 rpm\n  stages:\n    - {{{}}}\n"
 
 
 def results(stage):
-    return json.loads(render(course.solve(course.loads(TEXT.format(stage))), "json")["results.json"])
+    return json.loads(render(course.solve(loading.loads(TEXT.format(stage))), "json")["results.json"])
 
 
 def columns(document, name):
@@ -119,7 +119,7 @@ def test_conventions_of_specific_sliding():
 
 
 def note(stage, language="en"):
-    page = render(course.solve(course.loads(TEXT.format(stage))), "html", language)["note.html"].decode()
+    page = render(course.solve(loading.loads(TEXT.format(stage))), "html", language)["note.html"].decode()
     return re.sub(r"<[^>]+>", "", page).replace("\N{NO-BREAK SPACE}", " ")
 
 
@@ -154,20 +154,20 @@ SLIPS = {
 def test_slips_are_told_at_their_place(slip):
     place, text = SLIPS[slip]
     with pytest.raises(ProblemError) as told:
-        course.solve(course.loads(TEXT.format(f"{PAIR}, quality: {{{slip}}}")))
+        course.solve(loading.loads(TEXT.format(f"{PAIR}, quality: {{{slip}}}")))
     assert f"quality.{place}:" in str(told.value) and text in str(told.value)
 
 
 def test_a_wrong_number_of_a_list_does_not_make_it_short():
     with pytest.raises(ProblemError) as told:
-        course.loads(TEXT.format(f"{PAIR}, quality: {{x1: [0.3, 7]}}"))
+        loading.loads(TEXT.format(f"{PAIR}, quality: {{x1: [0.3, 7]}}"))
     assert [problem.key for problem in told.value.problems] == ["drive.stages.0.quality.x1.1"]
 
 
 def test_all_that_is_asked_of_a_pair_is_judged_at_once():
     asked = "inspection: {span: [40, 2]}, backlash: {tolerance: 0.05 mm}, quality: {x1: [0.3, 2.9]}"
     with pytest.raises(ProblemError) as told:
-        course.solve(course.loads(TEXT.format(f"{PAIR}, {asked}")))
+        course.solve(loading.loads(TEXT.format(f"{PAIR}, {asked}")))
     keys = [problem.key.removeprefix("drive.stages.0.") for problem in told.value.problems]
     assert keys == ["inspection.span.0", "backlash.tolerance", "quality.x1.1"]
 

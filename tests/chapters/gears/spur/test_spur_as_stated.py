@@ -5,7 +5,7 @@ import math
 import pytest
 from test_spur_stage import FREE, GUIDE, replace
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.problems import ProblemError
 
@@ -13,7 +13,7 @@ TEXT = "language: en\ndrive:\n  speed: 1000 rpm\n  stages:\n    - {{kind: spur, 
 
 
 def load(stage):
-    return course.loads(TEXT.format(stage))
+    return loading.loads(TEXT.format(stage))
 
 
 def pair(stage):

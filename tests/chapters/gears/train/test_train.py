@@ -11,7 +11,8 @@ from notes import render
 from tmm_report.chapters.gears.train.draw.routes import Bar, crossings
 from tmm_report.chapters.gears.train.draw.scheme import Scheme
 from tmm_report.chapters.gears.train.steps import whole
-from tmm_report.course import loads, solve
+from tmm_report.course import solve
+from tmm_report.loading import loads
 from tmm_report.problems import ProblemError
 
 CLOSED = {

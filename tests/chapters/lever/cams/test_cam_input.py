@@ -2,7 +2,7 @@
 
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 LAW = "phases: [{rise: 100 deg, law: sine}, {dwell: 30 deg}, {return: 120 deg, law: polynomial}, {dwell: 110 deg}]"
@@ -24,7 +24,7 @@ mechanism:
 
 def told(cam: str, more: str = "") -> list[tuple[str, str]]:
     with pytest.raises(ProblemError) as raised:
-        course.loads(variant(cam, more))
+        loading.loads(variant(cam, more))
     return [(".".join(map(str, p.path)), p.wrong.text % p.wrong.values) for p in raised.value.problems]
 
 
@@ -71,7 +71,7 @@ def test_a_mistake_is_told_at_its_key(cam, path, words):
 
 
 def test_the_right_one_is_read():
-    assert course.loads(variant(GOOD)).lever.mechanism.cams[0].name == "k"
+    assert loading.loads(variant(GOOD)).lever.mechanism.cams[0].name == "k"
 
 
 def test_a_swinging_follower_needs_its_side():
@@ -79,12 +79,12 @@ def test_a_swinging_follower_needs_its_side():
         "2: {points: {B: 0}, slides: y}", "2: {points: {C: 0, B: 90 mm}}"
     )
     with pytest.raises(ProblemError) as raised:
-        course.loads(text)
+        loading.loads(text)
     assert "side" in raised.value.problems[0].wrong.text
 
 
 def test_a_link_too_many_is_told_with_higher_pairs():
     text = variant(GOOD).replace("slides: y}", "slides: y}\n    3: {points: {B: 0, E: 50 mm}}")
     with pytest.raises(ProblemError) as raised:
-        course.solve(course.loads(text))
+        course.solve(loading.loads(text))
     assert raised.value.problems[0].wrong.values["higher"] == 1

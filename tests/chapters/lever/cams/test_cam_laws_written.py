@@ -12,7 +12,8 @@ from test_against_results import wrong_cells, wrong_formulas
 
 from tmm_report.chapters.cams.cam.quantities import demands, values
 from tmm_report.chapters.cams.cam.solve.found import Cams
-from tmm_report.course import loads, solve
+from tmm_report.course import solve
+from tmm_report.loading import loads
 from tmm_report.mechanics.cams.shapes import NAMED
 from tmm_report.problems import ProblemError
 

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.cams.cam import formulas
 from tmm_report.chapters.cams.cam import quantities as q
 from tmm_report.mechanics.lever.cycle import Cycle
@@ -50,7 +50,7 @@ positions: {{table: 12, diagram: 72, plans: [1, 2], force_plan: 2}}
 
 @cache
 def solved(*args: str) -> course.Results:
-    return course.solve(course.loads(text(*args)))
+    return course.solve(loading.loads(text(*args)))
 
 
 CASES = [(end, "sine", "polynomial", "counter-clockwise") for end in ENDS] + [
@@ -82,7 +82,7 @@ def test_the_balancing_moment_is_that_of_the_powers_at_every_position(lever):
 @pytest.mark.exhaustive
 def test_plans_drawn_exactly_agree_with_the_law():
     for case in CASES[:6]:
-        variant = course.loads(text(*case) + "drawing: {accuracy: 0.001 mm}\n")
+        variant = loading.loads(text(*case) + "drawing: {accuracy: 0.001 mm}\n")
         plans = course.solve(variant).lever.plans
         assert len(plans.drawn) == 2
         rows = [row for drawn in plans.drawn for row in drawn.comparison if row.delta is not None]
@@ -91,7 +91,7 @@ def test_plans_drawn_exactly_agree_with_the_law():
 
 
 def test_no_plan_is_drawn_in_a_dwell():
-    variant = course.loads(text("lever").replace("plans: [1, 2]", "plans: [1, 10]"))
+    variant = loading.loads(text("lever").replace("plans: [1, 2]", "plans: [1, 10]"))
     assert [drawn.position for drawn in course.solve(variant).lever.plans.drawn] == [1]
 
 
@@ -163,7 +163,7 @@ def test_a_steeper_rise_exceeds_the_limit_and_the_note_says_it():
     steep = (
         text("roller").replace("rise: 100 deg", "rise: 50 deg").replace("dwell: 110 deg", "dwell: 160 deg")
     )
-    (found,) = course.solve(course.loads(steep)).lever.cams.cams
+    (found,) = course.solve(loading.loads(steep)).lever.cams.cams
     assert found.exceeds and np.degrees(found.rise.value) > 30
 
 
@@ -178,7 +178,7 @@ def test_integrals_step_from_phase_to_phase():
 
 
 def test_a_turn_begins_where_the_variant_says():
-    start = course.loads(text("roller").replace("base: 40 mm", "base: 40 mm, start: 50 deg")).lever
+    start = loading.loads(text("roller").replace("base: 40 mm", "base: 40 mm, start: 50 deg")).lever
     found = course.solve_lever(start)
     assert isinstance(found.kinematics.cycle, Cycle)
     lift = found.cams.cams[0]

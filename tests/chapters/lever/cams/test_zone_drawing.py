@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from tmm_report.chapters.cams.cam.draw import zone as draw_zone
-from tmm_report.course import loads, solve
+from tmm_report.course import solve
 from tmm_report.figures.drawing import THICK
 from tmm_report.figures.primitives import Circle, Text
 from tmm_report.figures.primitives import Path as Stroke
+from tmm_report.loading import loads
 
 TEXT = Path(__file__).parents[3].joinpath("statements/cam_from_pressure_angles.yaml").read_text("utf-8")
 

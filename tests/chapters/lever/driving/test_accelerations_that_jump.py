@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.kinematics.solve.jumps import BESIDE, drawn
 from tmm_report.chapters.lever.kinematics.view.diagrams import Diagrams
 from tmm_report.i18n import Translator
@@ -53,7 +53,7 @@ TEXTS = {
 
 
 def found(text):
-    return course.solve(course.loads(text)).lever
+    return course.solve(loading.loads(text)).lever
 
 
 def stated(name, lever, motion):
@@ -145,7 +145,7 @@ def test_extremes_see_the_side_before_the_middle_of_a_long_phase():
 @pytest.mark.parametrize(("name", "positions"), [("phases", "0, 5, 6, 9, 12"), ("stroke", "9")])
 def test_the_note_says_which_side_the_tables_have(name, positions):
     lever = found(TEXTS[name][0])
-    html = render(course.solve(course.loads(TEXTS[name][0])), "html", "en")["note.html"].decode()
+    html = render(course.solve(loading.loads(TEXTS[name][0])), "html", "en")["note.html"].decode()
     text = re.sub(r"\s+", " ", re.sub(r"<[^>]+>", " ", html))
     assert f"Positions that stand at a jump: {positions}; the tables give there what is after it" in text
     assert f"Positions at which the accelerations jump: {positions};" in text

@@ -14,7 +14,7 @@ from conftest import stating
 from test_planets import KINDS, finished, text
 from test_wheels import five_bar
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.force_plans.drafting.plan import ForceDrawn, ForcePlan
 from tmm_report.mechanics.calculus.vectors import cross
 
@@ -91,7 +91,7 @@ MADE = {
 @cache
 def drawn(case: str, step: float = STEP) -> course.LeverFound:
     make, *of = MADE[case]
-    variant = course.loads(make(*of))
+    variant = loading.loads(make(*of))
     positions = replace(variant.lever.positions, plans=(2, 5, 8), force_plan=(2, 5, 8))
     drawing = replace(variant.lever.drawing, accuracy=step)
     return course.solve(stating(variant, positions=positions, drawing=drawing)).lever

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.friction import corrected as corrections
 from tmm_report.chapters.lever.friction import quantities
 from tmm_report.chapters.lever.friction import solve as friction
@@ -43,7 +43,7 @@ def slider_crank(friction, direction="against motion", crank=R, rod=L, at="[10 m
     text = SLIDER_CRANK.format(
         crank=crank, rod=rod, at=at, direction=direction, friction=friction, force=force
     )
-    return course.solve(course.loads(text)).lever
+    return course.solve(loading.loads(text)).lever
 
 
 def rod_angle(lever) -> np.ndarray:
@@ -309,7 +309,7 @@ friction: {guides: {coefficient: 0.1}, corrected: true}
 
 def test_friction_of_pairs_that_a_mechanism_has_not_is_told():
     with pytest.raises(ProblemError, match="no force presses a pair"):
-        course.solve(course.loads(FOUR_BAR))
+        course.solve(loading.loads(FOUR_BAR))
 
 
 def test_links_that_never_turn_against_one_another_have_no_friction_between_them():
@@ -366,7 +366,7 @@ friction: {guides: {coefficient: 0.2}, pivots: {coefficient: 0.1, diameter: 40 m
 
 def test_friction_in_a_slot_beside_the_pivot_of_its_link_turns_the_link():
     """The force of friction along the slot has an arm about the pivot; the power balance knows of no arms."""
-    found = course.solve(course.loads(SLOT)).lever.friction.corrected
+    found = course.solve(loading.loads(SLOT)).lever.friction.corrected
     assert found.worst < 1e-9
     assert np.max(np.abs(found.table.moment - found.table.first)) > 1e-3 * np.max(np.abs(found.table.moment))
 
@@ -374,7 +374,7 @@ def test_friction_in_a_slot_beside_the_pivot_of_its_link_turns_the_link():
 def test_the_sliding_velocity_in_a_slot_beside_the_pivot_by_differences():
     """Of the place of the block along the slot; a slot through the pivot would hide the turning of its link."""
     solved = course.solve(
-        course.loads(SLOT + "positions: {table: 12, diagram: 720}\n")
+        loading.loads(SLOT + "positions: {table: 12, diagram: 720}\n")
     ).lever.kinetostatics.diagram
     motion = solved.motion
     (pair,) = (pair for pair in motion.linkage.structure.pairs if pair.kind == "P")

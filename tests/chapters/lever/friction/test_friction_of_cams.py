@@ -4,7 +4,7 @@ guide), the balance of power, the whole equilibrium of both links; what is told 
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.friction.solve import rate_of_contact
 from tmm_report.mechanics.calculus.laws import Constant
 from tmm_report.mechanics.calculus.vectors import cross
@@ -54,7 +54,7 @@ friction: {{{friction or own}, corrected: true}}
 
 
 def solved(kind: str, sense: str = SENSES[0], friction: str = "", load: str = "400 N"):
-    return course.solve(course.loads(text(kind, sense, friction, load))).lever
+    return course.solve(loading.loads(text(kind, sense, friction, load))).lever
 
 
 @pytest.fixture(params=[(kind, sense) for kind in ENDS for sense in SENSES], ids=str)
@@ -170,7 +170,7 @@ BAD = [
 @pytest.mark.parametrize(("kind", "friction", "path", "words"), BAD)
 def test_a_slip_is_told_at_its_key(kind, friction, path, words):
     with pytest.raises(ProblemError) as raised:
-        course.loads(text(kind, friction=friction))
+        loading.loads(text(kind, friction=friction))
     told = [(".".join(map(str, one.path)), one.wrong.text) for one in raised.value.problems]
     assert any(where == path and words in what for where, what in told), told
 
@@ -178,7 +178,7 @@ def test_a_slip_is_told_at_its_key(kind, friction, path, words):
 def test_friction_of_cams_without_a_cam_has_no_effect_and_it_is_said():
     with open("variants/crank_rocker.yaml", encoding="utf-8") as file:
         stated = file.read()
-    one = course.loads(
+    one = loading.loads(
         stated.split("\nfriction:")[0] + "\nfriction: {cams: {coefficient: 0.1, diameter: 5 mm}}\n"
     )
     assert any("no cam" in doubt.wrong.text for doubt in one.doubts)

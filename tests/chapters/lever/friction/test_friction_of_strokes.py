@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 TESTS = Path(__file__).parents[3]
@@ -24,7 +24,7 @@ every = pytest.mark.parametrize("case", TEXTS)
 
 @cache
 def solved(case: str) -> course.LeverFound:
-    return course.solve(course.loads(TEXTS[case] + FRICTION)).lever
+    return course.solve(loading.loads(TEXTS[case] + FRICTION)).lever
 
 
 def rates(motion, pair, step, around):
@@ -89,7 +89,7 @@ def test_means_are_those_of_many_instants(case):
     found = solved(case)
     text = TEXTS[case].replace("positions: {", "positions: {diagram: 720, ", 1)
     text = text.replace("diagram: 36, ", "").replace("diagram: 40, ", "")
-    many = course.solve(course.loads(text + FRICTION)).lever.friction
+    many = course.solve(loading.loads(text + FRICTION)).lever.friction
     total, driving = many.diagram.total, many.diagram.driving
     mean = np.trapezoid(total) / (len(total) - 1)
     assert found.friction.mean_power == pytest.approx(mean, rel=2e-3)
@@ -99,7 +99,7 @@ def test_means_are_those_of_many_instants(case):
 
 def test_reactions_with_friction_are_refused_with_a_cure():
     with pytest.raises(ProblemError) as caught:
-        course.loads(TEXTS["tipper"] + FRICTION.replace("}}\n", "}, corrected: true}\n"))
+        loading.loads(TEXTS["tipper"] + FRICTION.replace("}}\n", "}, corrected: true}\n"))
     (problem,) = caught.value.problems
     assert problem.path == ("friction", "corrected")
     assert "a stroke drives" in str(problem.wrong) and "leave corrected out" in str(problem.right)
@@ -115,7 +115,7 @@ def test_reactions_with_friction_are_refused_with_a_cure():
 )
 def test_what_wants_a_turning_link_says_what_to_do(block, cure):
     with pytest.raises(ProblemError) as caught:
-        course.loads(f"{TEXTS['tipper']}\n{block}\n")
+        loading.loads(f"{TEXTS['tipper']}\n{block}\n")
     key = block.split(":")[0]
     (own,) = [one for one in caught.value.problems if "a stroke drives" in str(one.wrong)]
     assert own.path == (key,) and cure in str(own.right)

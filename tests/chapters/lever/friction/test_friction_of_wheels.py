@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from test_planets import KINDS, Alone, at, centre, finished, poses, rolls, text
 
-from tmm_report import course
+from tmm_report import course, loading
 
 F, D, G = 0.08, 0.03, 0.06  # of pivots, diameter of their journals, m; of guides
 OF_PIVOTS = f"{{coefficient: {F}, diameter: {D}}}"
@@ -21,7 +21,7 @@ every = pytest.mark.parametrize(
 def solved(kind, seed, stated=FRICTION):
     rng = np.random.default_rng(300 + seed)
     made = finished(kind(rng), rng)
-    return made, course.solve(course.loads(text(made) + stated)).lever
+    return made, course.solve(loading.loads(text(made) + stated)).lever
 
 
 def rails(made):
@@ -105,7 +105,7 @@ def test_a_rail_cannot_be_made_to_rub():
     (rail,) = rails(made)
     told = f"\nfriction: {{joints: {{{rail}: {{coefficient: 0.1}}}}}}\n"
     with pytest.raises(course.ProblemError) as caught:
-        course.loads(text(made) + told)
+        loading.loads(text(made) + told)
     (problem,) = caught.value.problems
     assert problem.path == ("friction", "joints", rail)
     assert "stands for the rail" in str(problem.wrong) and "contacts" in str(problem.right)

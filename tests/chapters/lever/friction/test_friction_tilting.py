@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import solved
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.friction import solve as friction
 from tmm_report.chapters.lever.friction.solve import rubbing_of
 from tmm_report.chapters.lever.kinetostatics.solve.positions import at, resultants, stated
@@ -39,7 +39,7 @@ positions: {table: 24, diagram: 72}
 
 def beside(height: str, length: str):
     text = BESIDE.replace("HEIGHT", height).replace("LENGTH", length)
-    return course.solve(course.loads(text)).lever
+    return course.solve(loading.loads(text)).lever
 
 
 def by_hand(given, motion, reactions):
@@ -88,7 +88,7 @@ def test_a_long_slider_does_not_tilt():
 
 @pytest.mark.parametrize("name", ["", "_corrected_true"])
 def test_an_offset_slider_with_a_load_far_from_its_guide(name):
-    lever = course.solve(course.load(CASES / f"friction_length_ignored{name}.yaml")).lever
+    lever = course.solve(loading.load(CASES / f"friction_length_ignored{name}.yaml")).lever
     found = lever.friction
     guide = next(loss for loss in found.table.pairs if loss.pair.key == "0-3")
     assert guide.power[0] == pytest.approx(49.592, abs=5e-4)
@@ -107,7 +107,7 @@ def test_means_over_the_cycle_of_sliders_that_tilt():
     """With the kinks where a slider begins to tilt and where it is pressed on its other face: some 1e-7 of a sum over
     36 000 positions is its own."""
     for lever in (
-        course.solve(course.load(CASES / "friction_length_ignored.yaml")).lever,
+        course.solve(loading.load(CASES / "friction_length_ignored.yaml")).lever,
         beside("10 mm", "100 mm"),
         solved("shaper").lever,
     ):
@@ -133,7 +133,7 @@ def test_the_kinks_of_the_losses_are_edges():
 
 def test_both_tables_are_of_one_rule():
     """Of next to no friction the corrected losses are those of the first approximation, tilting and all."""
-    lever = course.solve(course.load(CASES / "friction_length_ignored.yaml")).lever
+    lever = course.solve(loading.load(CASES / "friction_length_ignored.yaml")).lever
     small = {
         key: replace(of, coefficient=1e-7 * of.coefficient)
         for key, of in {"pivots": lever.given.friction.pivots, "guides": lever.given.friction.guides}.items()
@@ -170,7 +170,7 @@ positions: {table: 24, diagram: 72}
 def test_the_teeth_press_the_flank_of_the_whole_moment(rotation):
     """Where the load drives, friction alone would press the other flank. Friction of the found reactions is put on the
     links: the force analysis gives these reactions again, that of the bearing beside the gear among them."""
-    lever = course.solve(course.loads(GEARED.replace("ROTATION", rotation))).lever
+    lever = course.solve(loading.loads(GEARED.replace("ROTATION", rotation))).lever
     given, before = lever.given.friction, lever.kinetostatics.table
     found, motion = lever.friction.corrected.table, before.motion
     loads = dict(resultants(lever.kinetostatics.given, motion, before.loading))

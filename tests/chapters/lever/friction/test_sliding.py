@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from conftest import path_of
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.friction import solve as friction
 from tmm_report.problems import ProblemError
 
@@ -35,7 +35,7 @@ def stribeck(v, n):
 
 
 def slider_crank(stated):
-    return course.solve(course.loads(SLIDER_CRANK + stated)).lever
+    return course.solve(loading.loads(SLIDER_CRANK + stated)).lever
 
 
 def powers(phi, n):
@@ -131,7 +131,7 @@ def test_beyond_its_points_a_table_keeps_its_ends():
 def test_means_between_corners_agree_with_many_more_positions(compressor):
     """Of a mechanism with masses: the panels' integral and the mean of the diagram come together."""
     text = compressor_text()
-    lever = course.solve(course.loads(text)).lever
+    lever = course.solve(loading.loads(text)).lever
     total = lever.friction.diagram.total[:-1]
     assert lever.friction.mean_power == pytest.approx(float(total.mean()), rel=2e-4)
 
@@ -180,7 +180,7 @@ def test_mistakes_are_told_at_their_places(law, path, words):
 
 
 def test_losses_of_both_kinds_say_the_coefficient_that_they_take(compressor):
-    lever = course.solve(course.loads(compressor_text())).lever
+    lever = course.solve(loading.loads(compressor_text())).lever
     for loss in lever.friction.table.pairs:
         arm = 0.025 if loss.pair.kind == "R" else 1.0
         np.testing.assert_allclose(loss.sliding, loss.rate * arm, rtol=1e-14)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import FILES, read
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.kinematics.contours.nodes import Bearing, Branched, total
 from tmm_report.chapters.lever.kinematics.contours.solve import contours
 from tmm_report.chapters.lever.kinematics.contours.solve import tables as contour_tables
@@ -104,7 +104,7 @@ def test_formulas_agree_with_the_solver(name):
 
 @pytest.mark.parametrize("text", [SLOTS, YOKE])
 def test_guides_at_any_angle_with_offsets_and_on_moving_links(text):
-    assert off(moved(course.loads(text))) < 1e-10
+    assert off(moved(loading.loads(text))) < 1e-10
 
 
 def test_all_five_kinds_of_dyads_are_among_these():
@@ -196,7 +196,7 @@ PARALLEL = {"x": 180, "y": 240, "rod": 300, "rocker": 120, "side": "right"}
 
 def translated(**other):
     """The groups of a four-bar linkage that are written as having a link that only translates, and its motion."""
-    found = moved(course.loads(LINKED.format(**(PARALLEL | other))))
+    found = moved(loading.loads(LINKED.format(**(PARALLEL | other))))
     return [one for one in contours(found, 1).groups if isinstance(one, Translating)], found
 
 
@@ -274,7 +274,7 @@ mechanism:
 
 
 def test_a_link_parallel_to_a_side_of_a_slider_translates_too():
-    found = moved(course.loads(ON_SLIDER))
+    found = moved(loading.loads(ON_SLIDER))
     *_, written = contours(found, 1).groups
     assert isinstance(written, Translating) and written.links == ("5",) and written.by == "3"
     assert written.corners == ("B", "M", "N", "Q") and written.turned == ("6", "2")
@@ -301,7 +301,7 @@ mechanism:
 
 
 def test_a_link_parallel_to_one_that_turns_turns_with_it():
-    found = [moved(course.loads(BETWEEN.replace("SIDE", side))) for side in ("left", "right")]
+    found = [moved(loading.loads(BETWEEN.replace("SIDE", side))) for side in ("left", "right")]
     for one in found:
         assert not [w for w in contours(one, 1).groups if isinstance(w, Translating)] and off(one) < 1e-9
     motions = [one.cycle.motion(np.linspace(0, 0.5, 20)) for one in found]

@@ -8,7 +8,8 @@ import pytest
 from typer.testing import CliRunner
 
 from tmm_report.cli import app
-from tmm_report.course import load, loads, solve
+from tmm_report.course import solve
+from tmm_report.loading import load, loads
 from tmm_report.problems import ProblemError
 
 CASES = Path(__file__).parents[3] / "cases" / "mechanics"

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from conftest import ALL_FILES, solved
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.methods.counting import MEANINGS, Tables, counting, wanted
 from tmm_report.chapters.lever.moving import Moving
 
@@ -46,7 +46,7 @@ def test_the_friction_that_a_flywheel_leaves_out_is_left_out_of_the_counting():
     text = next(path for path in ALL_FILES if path.stem == "compressor").read_text("utf-8")
     assert text.count("\nflywheel:") == 1 and "\nmethods:" not in text
     without = course.solve(
-        course.loads(text.replace("\nflywheel:", "\nmethods: true\nflywheel:\n  friction: false"))
+        loading.loads(text.replace("\nflywheel:", "\nmethods: true\nflywheel:\n  friction: false"))
     )
     lever = without.lever
     bare = Moving(lever.kinematics, lever.kinetostatics)
@@ -94,6 +94,6 @@ mechanism:
   driver: {link: 1, period: 1 s}
   assembly: {B: left of A-D}
 """
-    found = course.solve(course.loads(text)).lever
+    found = course.solve(loading.loads(text)).lever
     assert found.kinematics.gaps
     assert counting(Moving(found.kinematics, found.kinetostatics)) is None

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from loaded import loaded
 from notes import note as note_of
 
-from tmm_report import course, render, stack
+from tmm_report import course, loading, render, stack
 from tmm_report import results as of_results
 from tmm_report.chapters.lever.kinetostatics.given import Loads
 from tmm_report.chapters.lever.kinetostatics.solve.law_arguments import reading
@@ -79,7 +79,7 @@ def by_strokes(first: str = "", names: tuple[str, ...] = FOUR) -> str:
 
 @cache
 def found(text: str) -> course.LeverFound:
-    lever = course.solve(course.loads(text)).lever
+    lever = course.solve(loading.loads(text)).lever
     assert lever is not None
     return lever
 
@@ -202,7 +202,7 @@ def test_variants_of_other_cycles_are_not_solved_together():
 @pytest.mark.exhaustive
 def test_a_cycle_of_two_turns_finds_in_a_stack_what_it_finds_alone():
     text = engine(B=by_strokes("power"), D=by_strokes("compression"))
-    variants = [course.loads(text.replace("2200", n)) for n in ("2200", "1900", "2500")]
+    variants = [loading.loads(text.replace("2200", n)) for n in ("2200", "1900", "2500")]
     for variant, together in zip(variants, stack.solve_many(variants), strict=True):
         assert render(together, "json") == render(course.solve(variant), "json")
 
@@ -348,7 +348,7 @@ def test_the_stroke_that_begins_at_a_dead_centre_holds_there():
 
 def told(text: str) -> str:
     with pytest.raises(ProblemError) as caught:
-        course.solve(course.loads(text))
+        course.solve(loading.loads(text))
     return str(caught.value)
 
 
@@ -407,7 +407,7 @@ def test_what_is_wrong_with_a_cycle_is_said(text, path, sentence):
 def test_a_mistake_in_one_stroke_is_none_of_their_number(text, told_of):
     """A curve with a mistake is still a stroke, and keeps its name."""
     with pytest.raises(ProblemError) as caught:
-        course.loads(text)
+        loading.loads(text)
     assert [".".join(map(str, problem.path)) for problem in caught.value.problems] == [
         f"mechanism.{told_of}" if "driver" in told_of else f"loads.forces.0.by_displacement.{told_of}"
     ]
@@ -478,7 +478,7 @@ def test_a_stroke_under_way_at_position_0_ends_early_in_the_cycle():
     text = engine(B=by_strokes("power")).replace("{point: B, extreme: up}", "{angle: 50 deg}")
     text = text.replace("speed: 2200 rpm,", "speed: 2200 rpm, rotation: clockwise,")
     (rows,) = [
-        table for table in of_results.tables(course.solve(course.loads(text))) if table.name == "strokes"
+        table for table in of_results.tables(course.solve(loading.loads(text))) if table.name == "strokes"
     ]
     assert rows["stroke"].values == ["exhaust", "intake", "compression", "power"]
     assert rows["begins"].values == pytest.approx([140, 320, 500, 680])
@@ -497,4 +497,4 @@ def test_strokes_have_their_words_in_the_note():
 def test_a_name_of_a_stroke_that_is_not_known_is_printed_as_it_is():
     text = engine(B=by_strokes("power")).replace("power", "working").replace("working: ", "'рабочий ход': ")
     text = text.replace("first: working", "first: рабочий ход")
-    assert "рабочий ход" in render(course.solve(course.loads(text)), "html", "en")["note.html"].decode()
+    assert "рабочий ход" in render(course.solve(loading.loads(text)), "html", "en")["note.html"].decode()

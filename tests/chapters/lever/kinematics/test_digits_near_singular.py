@@ -10,8 +10,9 @@ from typer.testing import CliRunner
 
 from tmm_report.chapters.lever.kinematics.checks.digits_left import COST, PRINTED, digits_left, rounding
 from tmm_report.cli import app
-from tmm_report.course import doubts, loads, solve
+from tmm_report.course import doubts, solve
 from tmm_report.i18n import Translator
+from tmm_report.loading import loads
 from tmm_report.note import render
 from tmm_report.results import tables
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.mechanics.calculus.roots import slope
 from tmm_report.problems import ProblemError
 
@@ -40,7 +40,7 @@ _found = {}
 
 
 def variant(law, text=TEXT):
-    return course.loads(text.replace("LAW", LAWS.get(law, law)))
+    return loading.loads(text.replace("LAW", LAWS.get(law, law)))
 
 
 def found(law):
@@ -112,7 +112,7 @@ def test_analogues_do_not_depend_on_the_law(law):
     assert outputs["V_D"].values == pytest.approx(first * w, abs=1e-12 * np.abs(first * w).max())
     assert outputs["A_D"].values == pytest.approx(second * w**2 + first * e, abs=1e-12 * size)
     turned = found(law).kinematics.cycle.phi(found(law).kinematics.turned)
-    uniform = course.solve(course.loads(TEXT.replace("law: {LAW}", "speed: 1 rad/s"))).lever.kinematics
+    uniform = course.solve(loading.loads(TEXT.replace("law: {LAW}", "speed: 1 rad/s"))).lever.kinematics
     there = uniform.cycle.motion(turned - uniform.cycle.zero)
     along = found(law).kinematics.travels[0].output.direction
     assert first == pytest.approx((there.velocity("D") * np.conj(along)).real, abs=1e-12)
@@ -259,7 +259,7 @@ def test_a_law_begins_in_an_extreme_position(law, zero):
     """There the output stands with a driving link that turns uniformly; what goes on differs by the law alone."""
     begun = TEXT.replace("LAW}", f"LAW}}, zero: {{{zero}}}")
     moving = course.solve(variant(law, begun)).lever.kinematics
-    uniform = course.solve(course.loads(begun.replace("law: {LAW}", "speed: 12 rad/s"))).lever.kinematics
+    uniform = course.solve(loading.loads(begun.replace("law: {LAW}", "speed: 12 rad/s"))).lever.kinematics
     angle = moving.cycle.law.of_phase(0.0)[0]
     assert np.cos(angle - uniform.cycle.zero) == pytest.approx(1.0, abs=1e-15)
     plain = found(law).kinematics.cycle.law

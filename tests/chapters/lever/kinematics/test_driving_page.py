@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 
 CASES = Path(__file__).parents[3] / "cases" / "explain"
 KINDS = {
@@ -18,7 +18,7 @@ KINDS = {
 
 
 def page(name, language):
-    results = course.solve(course.load(CASES / f"{name}.yaml"))
+    results = course.solve(loading.load(CASES / f"{name}.yaml"))
     return render(results, "html", language)["note.html"].decode()
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 TEXT = """
@@ -28,7 +28,7 @@ loads:
 
 
 def document(driver, at):
-    results = course.solve(course.loads(TEXT.replace("DRIVER", driver).replace("AT", at)))
+    results = course.solve(loading.loads(TEXT.replace("DRIVER", driver).replace("AT", at)))
     return json.loads(render(results, "json")["results.json"])
 
 
@@ -54,7 +54,7 @@ def test_at_the_angles_of_positions_they_are_the_positions(driver, timed):
 
 def test_between_positions_they_are_those_of_a_finer_table():
     found = document("speed: 7 rad/s", "40 deg, 100 deg")
-    finer = course.loads(
+    finer = loading.loads(
         TEXT.replace("DRIVER", "speed: 7 rad/s").replace("AT", "").replace("table: 12", "table: 36")
     )
     other = json.loads(render(course.solve(finer), "json")["results.json"])
@@ -65,7 +65,7 @@ def test_between_positions_they_are_those_of_a_finer_table():
 
 def test_the_note_shows_them_with_their_numbers():
     results = course.solve(
-        course.loads(TEXT.replace("DRIVER", "speed: 7 rad/s").replace("AT", "40 deg, 0.2 s"))
+        loading.loads(TEXT.replace("DRIVER", "speed: 7 rad/s").replace("AT", "40 deg, 0.2 s"))
     )
     for language, words in (("en", "at the instants asked for"), ("ru", "в заданные моменты")):
         html = render(results, "html", language)["note.html"].decode()
@@ -107,7 +107,7 @@ def test_a_link_that_speeds_up_is_asked_by_its_angle(sense, zero):
     times = [(np.sqrt(25 + 8 * np.radians(angle)) - 5) / 4 for angle in (40, 300, 0)]
 
     def at(written):
-        results = course.solve(course.loads(BY_LAW.replace("DRIVER", law).replace("AT", written)))
+        results = course.solve(loading.loads(BY_LAW.replace("DRIVER", law).replace("AT", written)))
         return json.loads(render(results, "json")["results.json"])
 
     found, timed = at("40 deg, 300 deg, 0 deg"), at(", ".join(f"{time!r} s" for time in map(float, times)))
@@ -131,6 +131,6 @@ def test_a_link_that_speeds_up_is_asked_by_its_angle(sense, zero):
 )
 def test_a_link_that_turns_back_or_does_not_come_so_far_is_asked_by_the_time(law, angle):
     with pytest.raises(ProblemError) as caught:
-        course.loads(BY_LAW.replace("DRIVER", law).replace("AT", angle))
+        loading.loads(BY_LAW.replace("DRIVER", law).replace("AT", angle))
     (told,) = caught.value.problems
     assert told.key == "positions.at.0" and "positions are stated by the time" in told.text()

@@ -15,8 +15,9 @@ from tmm_report.chapters.lever.methods.quantities import tables
 from tmm_report.chapters.lever.methods.view import MethodsView
 from tmm_report.cli import app
 from tmm_report.commands.files import render
-from tmm_report.course import Variant, loads, solve, solve_lever
+from tmm_report.course import Variant, solve, solve_lever
 from tmm_report.i18n import Translator
+from tmm_report.loading import loads
 from tmm_report.mechanics.rivals import cost
 from tmm_report.mechanics.rivals.choice import ACCURACY, FLOOR, table_of
 from tmm_report.mechanics.rivals.motion.every import motion_method

@@ -10,7 +10,7 @@ import pytest
 from conftest import read, solved
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.initial_data import quantities as given
 from tmm_report.chapters.lever.kinematics import quantities as q
 from tmm_report.chapters.lever.kinematics.solve import analogues
@@ -109,7 +109,7 @@ def test_a_link_in_translation_has_no_motion_of_its_own():
 
 @pytest.mark.parametrize("allowed", ["true", "false"])
 def test_towards_a_limit_rates_grow_without_bound_and_are_no_extremes(allowed):
-    results = course.solve(course.loads(JAM.replace("ALLOWED", allowed)))
+    results = course.solve(loading.loads(JAM.replace("ALLOWED", allowed)))
     found = results.lever.kinematics
     for travel in (*found.travels, *found.links):
         for ends in (travel.V_extremes, travel.a_extremes):
@@ -124,7 +124,7 @@ def test_towards_a_limit_rates_grow_without_bound_and_are_no_extremes(allowed):
 
 def test_a_bounded_rate_of_a_mechanism_with_limits_keeps_its_extremes():
     """The driving link's own points go round evenly whatever the group beyond them does."""
-    found = course.solve(course.loads(JAM.replace("ALLOWED", "true"))).lever.kinematics
+    found = course.solve(loading.loads(JAM.replace("ALLOWED", "true"))).lever.kinematics
     limits = found.cycle.limits
     assert len(limits) == 2
     low, high = found.cycle.extremes(lambda m: m.velocity("A").real, lambda m: m.acceleration("A").real)

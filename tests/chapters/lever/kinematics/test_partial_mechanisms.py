@@ -11,8 +11,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from tmm_report.chapters.lever.kinematics.checks.open_cycle import angles
-from tmm_report.course import load, loads, solve
+from tmm_report.course import solve
 from tmm_report.i18n import Translator
+from tmm_report.loading import load, loads
 from tmm_report.mechanics.lever import dyads
 from tmm_report.note import render
 from tmm_report.problems import ProblemError

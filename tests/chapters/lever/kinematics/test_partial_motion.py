@@ -9,8 +9,9 @@ import pytest
 
 from tmm_report.chapters.lever.kinematics.solve.strokes import Travel
 from tmm_report.commands.solve import _differences
-from tmm_report.course import loads, solve
+from tmm_report.course import solve
 from tmm_report.i18n import Translator
+from tmm_report.loading import loads
 from tmm_report.note import render
 from tmm_report.problems import ProblemError
 

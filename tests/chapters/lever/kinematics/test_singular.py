@@ -9,7 +9,7 @@ import pytest
 from notes import render
 
 from tmm_report import solve
-from tmm_report.course import loads
+from tmm_report.loading import loads
 from tmm_report.mechanics.lever.assembly.stated import assemble
 from tmm_report.mechanics.lever.cycle import cycle_of
 from tmm_report.mechanics.lever.mechanism import Driver, Link, Mechanism, ZeroAngle

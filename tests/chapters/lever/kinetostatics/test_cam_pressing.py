@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as quantities
 from tmm_report.problems import ProblemError
 
@@ -23,7 +23,7 @@ def valve(
 ):
     """A follower on a vertical guide, offset from the cam's axis, under its weight and what is more."""
     return course.solve(
-        course.loads(f"""
+        loading.loads(f"""
 mechanism:
   frame: {{O: [0, 0], G: [6 mm, 0]}}
   guides: {{y: {{through: G, angle: 90 deg}}}}
@@ -164,7 +164,7 @@ def test_a_table_that_dips_below_its_base_circle_says_so():
 
 def tabled(law: str, more: str = ""):
     return course.solve(
-        course.loads(f"""
+        loading.loads(f"""
 mechanism:
   frame: {{O: [0, 0]}}
   guides: {{y: {{through: O, angle: 90 deg}}}}

@@ -12,7 +12,7 @@ import pytest
 from conftest import solved
 from notes import render, rendered
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics, Solved, at, stated
 from tmm_report.chapters.lever.kinetostatics.solve.works import powers_of
@@ -143,7 +143,7 @@ positions: {plans: [2], force_plan: 2}
 @pytest.mark.exhaustive
 def test_a_moment_that_is_nothing_has_no_sense_and_no_jumps():
     """A crank whose counterweight holds the rod: what is left of the moment is rounding."""
-    results = course.solve(course.loads(COUNTERWEIGHT.replace("MASS", "2 kg")))
+    results = course.solve(loading.loads(COUNTERWEIGHT.replace("MASS", "2 kg")))
     found = results.lever.kinetostatics
     assert found.over.moment == (Peak(0.0, 0.0), Peak(0.0, 0.0))
     assert found.works.zones == () and not found.works.balancing.signs.any()
@@ -154,6 +154,6 @@ def test_a_moment_that_is_nothing_has_no_sense_and_no_jumps():
 
 def test_a_moment_that_is_small_has_its_senses():
     """A millionth of the mass too much: a moment of gravity with one sense going up, the other going down."""
-    found = course.solve(course.loads(COUNTERWEIGHT.replace("MASS", "2.000002 kg"))).lever.kinetostatics
+    found = course.solve(loading.loads(COUNTERWEIGHT.replace("MASS", "2.000002 kg"))).lever.kinetostatics
     assert found.over.moment[1].value == pytest.approx(2e-6 * 9.81 * 0.1, rel=1e-6)
     assert [np.degrees(zone.end) for zone in found.works.zones] == pytest.approx([90, 270, 360], abs=1e-3)

@@ -13,8 +13,8 @@ from conftest import read, stating
 
 from tmm_report import course
 from tmm_report.chapters.lever.kinetostatics.view.driving_gear import GearView
-from tmm_report.course import loads
 from tmm_report.i18n import Translator
+from tmm_report.loading import loads
 from tmm_report.mechanics.calculus.vectors import cross
 from tmm_report.mechanics.lever.forces.force_on_crank_gear import GearDrive
 from tmm_report.problems import ProblemError

@@ -3,7 +3,7 @@
 import pytest
 from notes import note as note_of
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.problems import ProblemError
 
 TEXT = """
@@ -25,12 +25,12 @@ loads: {}
 
 
 def rod(inertia):
-    return course.loads(TEXT.replace("INERTIA", inertia)).lever.mechanism.links["2"]
+    return loading.loads(TEXT.replace("INERTIA", inertia)).lever.mechanism.links["2"]
 
 
 def mistakes(inertia, text=TEXT):
     with pytest.raises(ProblemError) as caught:
-        course.loads(text.replace("INERTIA", inertia))
+        loading.loads(text.replace("INERTIA", inertia))
     return caught.value.problems
 
 

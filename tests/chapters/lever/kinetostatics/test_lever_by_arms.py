@@ -11,7 +11,7 @@ from conftest import FILES, read, stating, unread
 
 from tmm_report import course
 from tmm_report.chapters.lever.force_plans.lever import Lever
-from tmm_report.course import loads
+from tmm_report.loading import loads
 
 NAMES = [path.stem for path in FILES]
 ROUNDING = 5e-5  # five digits of every force and of every product

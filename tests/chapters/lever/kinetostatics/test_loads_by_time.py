@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 TEXT = """
@@ -30,7 +30,7 @@ def stated(key, points, size=1.0, unit="s"):
 
 def variant(speed, force, moment, more=""):
     text = TEXT.replace("SPEED", speed).replace("FORCE", force).replace("MOMENT", moment)
-    return course.loads(text + more)
+    return loading.loads(text + more)
 
 
 def solved(speed, key, size, unit):

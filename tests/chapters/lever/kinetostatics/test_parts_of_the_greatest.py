@@ -5,7 +5,7 @@ import json
 import pytest
 import yaml
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 TEXT = """
@@ -39,7 +39,7 @@ def loaded(first, second=OTHER, curves=""):
         .replace("SECOND", second)
         .replace("CURVES\n", curves + "\n" if curves else "")
     )
-    return course.solve(course.loads(text)).lever.kinetostatics
+    return course.solve(loading.loads(text)).lever.kinetostatics
 
 
 def test_in_parts_of_the_greatest_they_are_the_values():
@@ -102,7 +102,7 @@ def test_strokes_of_one_curve_for_two_cylinders():
     found = []
     for (first, second), curves in ((shared, curve), (inline, ""), (map(_spelled, firsts), "")):
         own = text.replace("FIRST", first).replace("SECOND", second).replace("CURVES\n", curves)
-        found.append(course.solve(course.loads(own)).lever.kinetostatics.table.balancing)
+        found.append(course.solve(loading.loads(own)).lever.kinetostatics.table.balancing)
     assert found[0] == pytest.approx(found[2], rel=1e-12, abs=1e-9)
     assert found[1] == pytest.approx(found[2], rel=1e-12, abs=1e-9)
     assert abs(found[2]).max() > 100
@@ -123,9 +123,9 @@ def test_a_moment_by_a_curve():
         "B: up", "B: left of A-C"
     )
     moment = "  moments: [{on: 3, direction: clockwise, by_displacement: DIAGRAM}]\n"
-    shared = course.loads(text + moment.replace("DIAGRAM", "{zero: clockwise, curve: gas, of: 40 N*m}"))
+    shared = loading.loads(text + moment.replace("DIAGRAM", "{zero: clockwise, curve: gas, of: 40 N*m}"))
     values = "{zero: clockwise, forward: [[0, 0.8], [0.4, 8], [1, 40]], back: [[0, 0], [0.3, 0], [1, 40]]}"
-    spelled = course.loads(text.replace(CURVES + "\n", "") + moment.replace("DIAGRAM", values))
+    spelled = loading.loads(text.replace(CURVES + "\n", "") + moment.replace("DIAGRAM", values))
     one, other = (course.solve(variant).lever.kinetostatics.table.balancing for variant in (shared, spelled))
     assert one == pytest.approx(other, rel=1e-12, abs=1e-9)
 

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 TEXT = """
@@ -33,7 +33,7 @@ MOMENT = "by_displacement: {zero: clockwise, forward: FORWARD, back: [[0, 0], [1
 
 def loaded(force=NO, moment=NO, curves="  curves: {}"):
     text = TEXT.replace("FORCE", force).replace("MOMENT", moment).replace("CURVES", curves)
-    return course.solve(course.loads(text)).lever
+    return course.solve(loading.loads(text)).lever
 
 
 def told(*of, **other):
@@ -118,6 +118,6 @@ def test_a_mechanism_that_is_not_assembled_yet_may_be_looked_at():
     """Its ways of assembly are asked for before the stroke is known."""
     text = TEXT.replace("FORCE", drawn(FORCE, "[[0, 0], [120 mm, 1 kN]]", "[[0, 0], [1, 0]]"))
     text = text.replace("MOMENT", NO).replace("CURVES", "  curves: {}").replace("B: right, ", "")
-    variant = course.loads(text)
+    variant = loading.loads(text)
     with pytest.raises(ProblemError, match="can be assembled in two ways"):
         course.solve(variant)

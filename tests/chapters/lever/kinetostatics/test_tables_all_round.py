@@ -6,7 +6,7 @@ import pytest
 from edge_variants import PUMP, ROCKER
 from notes import VARIANTS
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.problems import ProblemError
 from tmm_report.variant.gaps import not_all_round, not_to_the_end
 
@@ -15,7 +15,7 @@ CAM = (VARIANTS / "cam_press.yaml").read_text("utf-8")
 
 def said(text: str) -> list[str]:
     try:
-        course.loads(text)
+        loading.loads(text)
     except ProblemError as error:
         return [one.text() for one in error.problems]
     return []

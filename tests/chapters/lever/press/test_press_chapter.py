@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import solved
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.press import quantities
 from tmm_report.chapters.lever.press.view import PressView
 from tmm_report.i18n import Translator
@@ -35,7 +35,7 @@ ASKED = "{slider: 3, extreme: down, torque: 30 kN*m, rated: 600 kN, within: 3 mm
 
 def crank(press=ASKED, guide=90, speed="60 rpm", side="down"):
     text = CRANK.format(guide=guide, speed=speed, side=side)
-    return course.solve(course.loads(text + f"press: {press}\n")).lever.press
+    return course.solve(loading.loads(text + f"press: {press}\n")).lever.press
 
 
 def path(alpha):
@@ -168,7 +168,7 @@ def test_the_permitted_force_is_balanced_by_the_permitted_torque(position):
         head = "\n".join(without(line, key) for line in head.splitlines())
     loads = "\nloads:\n  gravity: 0\n  forces: [{name: F, at: D, direction: up, constant: 1 N}]\n"
     asked = "press: {slider: 5, extreme: down, torque: 1 N*m}\npositions: {table: 12, diagram: 36}\n"
-    lever = course.solve(course.loads(head + loads + asked)).lever
+    lever = course.solve(loading.loads(head + loads + asked)).lever
     found, moment = lever.press, abs(float(lever.kinetostatics.table.balancing[position]))
     alpha = found.dead - lever.kinematics.turned[position]
     assert abs(float(found.arm(found.before([alpha]))[0])) == pytest.approx(moment, rel=1e-9)
@@ -213,16 +213,16 @@ def test_what_is_stated_wrong_is_told(press, path, words):
 def test_it_goes_all_round_and_evenly():
     text = CRANK.format(guide=90, speed="60 rpm", side="down").replace("O: 0, A: 150 mm", "O: 0, A: 650 mm")
     with pytest.raises(ProblemError) as error:
-        course.solve(course.loads(f"allow_partial: true\n{text}press: {ASKED}\n"))
+        course.solve(loading.loads(f"allow_partial: true\n{text}press: {ASKED}\n"))
     assert "all round" in error.value.problems[0].text()
     law = CRANK.replace("speed: {speed}", "law: {{speed: 2 rad/s, acceleration: 1 rad/s^2}}").replace(
         ", zero: {{angle: 20 deg}}", ""
     )
     with pytest.raises(ProblemError) as error:
-        course.loads(law.format(guide=90, side="down") + f"press: {ASKED}\n")
+        loading.loads(law.format(guide=90, side="down") + f"press: {ASKED}\n")
     assert ("press",) in [one.path for one in error.value.problems]
     with pytest.raises(ProblemError) as error:
-        course.loads(f"press: {ASKED}\nrotor: {{}}\n")
+        loading.loads(f"press: {ASKED}\nrotor: {{}}\n")
     assert ("press",) in [one.path for one in error.value.problems]
 
 

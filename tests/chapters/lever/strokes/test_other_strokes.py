@@ -10,7 +10,7 @@ from stroke_constraints import Solver
 from stroke_mechanisms import Made, rocking
 from test_reversed_strokes import coordinates
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.kinetostatics.quantities.equations import system
 from tmm_report.figures.schemes import marks
 from tmm_report.figures.schemes.view import view_of
@@ -87,7 +87,7 @@ REFUSED = {
 def test_what_is_refused_is_said_once_with_its_key(name):
     text, wrong, key = REFUSED[name]
     with pytest.raises(ProblemError) as error:
-        course.loads(text)
+        loading.loads(text)
     (problem,) = error.value.problems
     assert wrong in problem.text()
     assert key in problem.key
@@ -96,7 +96,7 @@ def test_what_is_refused_is_said_once_with_its_key(name):
 @pytest.mark.parametrize("way", ["C: up", "C: down", "K: left of O-D", "K: right of O-D"])
 def test_the_side_that_is_stated_is_taken(way):
     text = LIFT.replace("C: up", way).replace("P: [1.0", "K: [0.5 m, 0], P: [1.0")
-    found = course.solve(course.loads(text)).lever.kinematics.table
+    found = course.solve(loading.loads(text)).lever.kinematics.table
     up = "up" in way or "left" in way
     assert (found.place("C").imag > 0).all() == up and (found.place("C").imag < 0).all() == (not up)
 
@@ -108,7 +108,7 @@ def test_the_side_that_is_stated_is_taken(way):
 def test_a_link_that_turns_back_leaves_its_place_to_another(lengths, angle, base, speed):
     """Link 1 stops and turns back while the cylinder goes on: the motion is found from link 3, through that place."""
     text = rocking(lengths, angle, base, speed)
-    lever, solver = course.solve(course.loads(text)).lever, Solver(text)
+    lever, solver = course.solve(loading.loads(text)).lever, Solver(text)
     table = lever.kinematics.table
     assert lever.kinematics.stroke.link == "3"
     turning = lever.kinematics.diagram.angular_velocity("1")
@@ -137,7 +137,7 @@ mechanism:
 loads: {moments: [{on: 1, direction: clockwise, constant: 3 N*m}]}
 positions: {table: 6}
 """
-    lever = course.solve(course.loads(text)).lever
+    lever = course.solve(loading.loads(text)).lever
     s = np.linspace(0.05, 0.07, 7)
     arm = hypot(0.02, 0.09)
     angle = np.arccos((0.08 - s) / 2 / arm) - np.arctan2(0.09, 0.02)  # by which A has turned
@@ -156,7 +156,7 @@ positions: {table: 6}
 )
 def test_groups_with_the_cylinder_held(text, groups):
     """Its length fixed, the mechanism is a truss: of each group 3n = 2p."""
-    found = course.solve(course.loads(text)).lever.structure.by_cylinder
+    found = course.solve(loading.loads(text)).lever.structure.by_cylinder
     assert [group.label for group in found] == groups
     for group in found:
         assert 3 * len(group.links) == 2 * (len(group.inner) + len(group.outer))
@@ -164,7 +164,7 @@ def test_groups_with_the_cylinder_held(text, groups):
 
 def test_a_cylinder_between_links_has_no_support():
     """Of the lift the frame bears O alone; the barrel is drawn between Q and P, wherever they are."""
-    lever = course.solve(course.loads(LIFT)).lever
+    lever = course.solve(loading.loads(LIFT)).lever
     motion, mechanism = lever.kinematics.table, lever.kinematics.linkage.mechanism
     places = {point: motion.place(point) for point in mechanism.point_names}
     turns = {link: motion.turn(link) for link in mechanism.moving}
@@ -196,7 +196,7 @@ def slider_between_cranks(rng, keys, short=0.25 + 0.02j, slider=0.28 + 0.6j):
 def test_a_triangle_that_stops_leaves_its_place_to_another_link(keys):
     """The rod AB comes to stand across the guide, where link 1 turns back: link 5 is found first."""
     text = slider_between_cranks(np.random.default_rng(3), keys)
-    lever, solver = course.solve(course.loads(text)).lever, Solver(text)
+    lever, solver = course.solve(loading.loads(text)).lever, Solver(text)
     assert lever.kinematics.stroke.link == "5"
     turning = lever.kinematics.diagram.angular_velocity("1")
     assert turning.min() < 0 < turning.max()
@@ -211,21 +211,21 @@ def test_a_triangle_that_falls_flat_stops_the_mechanism():
     """Crank and rod come into one line: no other link helps."""
     text = slider_between_cranks(np.random.default_rng(3), {"A": "left of O-B"}, 0.25j, 0.02 + 0.95j)
     with pytest.raises(ProblemError, match="O, A and B come into one line"):
-        course.loads(text)
+        loading.loads(text)
 
 
 def test_the_side_of_a_triangle_by_the_sketch():
     lines = TIPPER.replace("  assembly: {B: left of O-A}", "  sketch: {B: SKETCHED, A: [1.5 m, -0.4 m]}")
-    stated = course.solve(course.loads(TIPPER)).lever.kinematics.table
+    stated = course.solve(loading.loads(TIPPER)).lever.kinematics.table
     for sketched, same in (("[0.8 m, 0.6 m]", True), ("[0.4 m, -0.9 m]", False)):
-        found = course.solve(course.loads(lines.replace("SKETCHED", sketched))).lever.kinematics.table
+        found = course.solve(loading.loads(lines.replace("SKETCHED", sketched))).lever.kinematics.table
         assert np.allclose(found.place("B"), stated.place("B")) == same
 
 
 @pytest.mark.parametrize("links", [("1",), ("2", "3"), ("4", "5")])
 def test_the_equations_of_equilibrium_hold_the_force_on_both_links(links):
     """As `explain` writes them: with the numbers of the solution each is nothing, beside the force of the cylinder."""
-    forces = course.solve(course.loads(LIFT)).lever.kinetostatics
+    forces = course.solve(loading.loads(LIFT)).lever.kinetostatics
     written = system(forces, forces.table, links, 3)
     size = float(forces.table.statics.driving[3])
     sums = [float(one.value) for _, lines in written.lines for one in lines]
@@ -253,7 +253,7 @@ positions: {table: 6}
 def test_a_link_that_leaves_a_group_of_class_iii_is_not_found_first():
     """A cylinder on the crank of a shaper whose slotted link swings on a rocker: by the triangle of the crank the rest
     is a group of class III, from the rocker on dyads."""
-    lever, solver = course.solve(course.loads(SHAPER)).lever, Solver(SHAPER)
+    lever, solver = course.solve(loading.loads(SHAPER)).lever, Solver(SHAPER)
     assert lever.structure.formula == "I(0,4) → II2(3,5) → II2(1,2)"
     assert lever.kinetostatics.agrees
     for k in (0, 3, 6):

@@ -9,7 +9,7 @@ from exhaustive import many
 from stroke_constraints import Solver
 from stroke_mechanisms import KINDS, made
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import stated
 from tmm_report.chapters.lever.kinetostatics.solve.positions import at
 from tmm_report.mechanics.lever.driving.reversed import Reversed
@@ -32,12 +32,12 @@ def going(kind, seed):
     beside its extreme, where the checks of the program lose digits, is drawn anew."""
     text = made(kind, seed)
     try:
-        stroke = course.loads(text).lever.mechanism.driver.stroke
+        stroke = loading.loads(text).lever.mechanism.driver.stroke
     except ProblemError as error:
         (problem,) = error.problems
         assert re.search(r"cannot go beyond|comes to its own limit", problem.text())
         text = backwards(text)
-        stroke = course.loads(text).lever.mechanism.driver.stroke
+        stroke = loading.loads(text).lever.mechanism.driver.stroke
     off = min(abs(end - s) for end in stroke.branch.s[[0, -1]] for s in stroke.law.reach)
     return text if off > 2e-3 * stroke.law.reach[1] else going(kind, seed + 1000)
 
@@ -56,7 +56,7 @@ def coordinates(solver, motion, k):
 @pytest.mark.parametrize(("kind", "seed"), many(CASES, len(KINDS)))
 def test_motion_and_forces_are_those_of_the_constraints(kind, seed):
     text = going(kind, seed)
-    lever, solver = course.solve(course.loads(text)).lever, Solver(text)
+    lever, solver = course.solve(loading.loads(text)).lever, Solver(text)
     table, forces = lever.kinematics.table, lever.kinetostatics.table
     assert isinstance(lever.kinematics.stroke, Reversed)
     assert lever.kinetostatics.agrees
@@ -90,7 +90,7 @@ def test_the_work_of_the_force_is_gained_as_energy(kind):
     """∫ F ds over the stroke, by Gauss' rule, against kinetic energy, heights and the way of the stated force."""
     text = going(kind, 0)
     data, solver = yaml.safe_load(text), Solver(text)
-    lever = course.solve(course.loads(text)).lever
+    lever = course.solve(loading.loads(text)).lever
     x, w = np.polynomial.legendre.leggauss(24)
     phases = np.pi * (x + 1)
     motion = lever.kinematics.cycle.motion(np.array([0.0, *phases, 2 * np.pi]))
@@ -119,7 +119,7 @@ def test_the_work_of_the_force_is_gained_as_energy(kind):
 def test_the_reduced_mass_has_the_energy_of_all_links(kind):
     """m v²/2 = T, by the rates of the constraints."""
     text = going(kind, 2)
-    solver, lever = Solver(text), course.solve(course.loads(text + "reduction: true\n")).lever
+    solver, lever = Solver(text), course.solve(loading.loads(text + "reduction: true\n")).lever
     table = lever.kinematics.table
     for k in (1, 4):
         motion = solver.motion(solver.period * k / 6, coordinates(solver, table, k))
@@ -137,13 +137,13 @@ def test_the_motion_along_the_stroke_under_forces():
     text, needed = next(
         (text, force)
         for text in (going("scissor", seed) for seed in SEEDS)
-        if (force := course.solve(course.loads(text)).lever.kinetostatics.table.statics.driving).min() > 0
+        if (force := course.solve(loading.loads(text)).lever.kinetostatics.table.statics.driving).min() > 0
     )
     data = yaml.safe_load(text)
-    low, high = sorted(course.loads(text).lever.mechanism.driver.stroke.law.reach)
+    low, high = sorted(loading.loads(text).lever.mechanism.driver.stroke.law.reach)
     push = 1.3 * float(needed.max())
     data["travel"] = {"from": low, "to": high, "driving": [{"name": "oil", "constant": f"{push!r} N"}]}
-    lever = course.solve(course.loads(yaml.safe_dump(data, sort_keys=False)))
+    lever = course.solve(loading.loads(yaml.safe_dump(data, sort_keys=False)))
     found = lever.travel
     assert found.v[-1] > 0
     solver = Solver(text)

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from random_demands import CANNOT, DRAWN, FUNCTIONS, SIZES, read
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.chapters.lever.synthesis.solve import design
 from tmm_report.mechanics.lever import motion
 from tmm_report.mechanics.lever.assur_groups import decompose
@@ -30,7 +30,7 @@ def demands(kind, count):
     found = []
     for text in texts:
         try:
-            variant = course.loads(f"language: en\nsynthesis: {{{kind.split()[0]}: {{{text}}}}}\n")
+            variant = loading.loads(f"language: en\nsynthesis: {{{kind.split()[0]}: {{{text}}}}}\n")
             found.append(design(variant.synthesis))
         except ProblemError as error:
             found.append(error.problems)

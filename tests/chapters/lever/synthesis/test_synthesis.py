@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from synthesised import MECHANISMS
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.synthesis.quantities import tables
 from tmm_report.problems import ProblemError
 
@@ -34,7 +34,7 @@ def demand(kind, draw):
 
 def analysed(kind, stated, side="left"):
     text = f"language: en\nsynthesis: {{{kind}: {{{stated}}}}}\n{MECHANISMS[kind].format(side=side)}"
-    return course.solve(course.loads(text))
+    return course.solve(loading.loads(text))
 
 
 def meets(kind, stated):
@@ -113,7 +113,7 @@ def test_rounded_lengths_go_to_the_mechanism_and_their_effect_is_told():
     stated = "stroke: 123.4 mm, K: 1.2, ratio: 3"
     asked = f"synthesis: {{slider_crank: {{{stated}}}, round: 1 mm}}"
     text = f"language: en\n{asked}\n{MECHANISMS['slider_crank'].format()}"
-    found = course.solve(course.loads(text))
+    found = course.solve(loading.loads(text))
     links = found.lever.given.mechanism.links
     taken = {key: found.synthesis.design.taken(key) for key in ("crank", "rod", "offset")}
     assert all(1e3 * size == pytest.approx(round(1e3 * size), abs=1e-9) for size in taken.values())
@@ -135,7 +135,7 @@ ROUNDED = {
 @pytest.mark.parametrize("kind", ROUNDED)
 def test_what_rounding_does_is_what_the_analysed_motion_has(kind):
     asked = f"synthesis: {{{kind}: {{{ROUNDED[kind]}}}, round: 4 mm}}"
-    found = course.solve(course.loads(f"language: en\n{asked}\n{MECHANISMS[kind].format(side='left')}"))
+    found = course.solve(loading.loads(f"language: en\n{asked}\n{MECHANISMS[kind].format(side='left')}"))
     s = found.synthesis.s
     keys = {"swing", "transmission"} if kind == "crank_rocker" else {"stroke", "pressure"}
     for key in ("K", *keys):
@@ -246,7 +246,7 @@ def rounded_off(a, b, c):
 
 
 def synthesised(text):
-    return course.solve(course.loads(f"language: en\nsynthesis: {{{text}}}\n")).synthesis
+    return course.solve(loading.loads(f"language: en\nsynthesis: {{{text}}}\n")).synthesis
 
 
 def test_a_body_goes_through_its_three_positions():

@@ -3,7 +3,7 @@
 import pytest
 from synthesised import MECHANISMS
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 CRANK = "crank_rocker: {K: 1.1, swing: 32 deg, rocker: 0.6 m"
@@ -123,7 +123,7 @@ def test_what_cannot_be_is_told(text):
 
 def problems(text):
     with pytest.raises(ProblemError) as caught:
-        course.loads(f"language: en\n{text}")
+        loading.loads(f"language: en\n{text}")
     return caught.value.problems
 
 
@@ -165,9 +165,9 @@ def test_a_demand_of_one_of_several_sliders_is_asked_about():
     other = "4: {points: {A: 0, E: synthesis.rod}}, 5: {points: [E], slides: x}"
     more = text.replace("3: {points: [B], slides: x}", f"3: {{points: [B], slides: x}}, {other}")
     more = more.replace("{B: right}", "{B: right, E: left}")
-    assert any("several links" in one.text() for one in course.doubts(course.solve(course.loads(more))))
+    assert any("several links" in one.text() for one in course.doubts(course.solve(loading.loads(more))))
     named = more.replace("ratio: 4}}", "ratio: 4}, output: E}")
-    found = course.solve(course.loads(named))
+    found = course.solve(loading.loads(named))
     assert not course.doubts(found) and found.synthesis.s.number("stroke_met") == pytest.approx(
         0.12, rel=1e-9
     )

@@ -8,7 +8,7 @@ import pytest
 from notes import render
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.synthesis.given import AnglePairs
 from tmm_report.mechanics.lever import synthesis
 
@@ -62,7 +62,7 @@ TEXTS = {
 
 
 def found_of(text):
-    return course.solve(course.loads(f"language: en\nsynthesis: {{{text}}}\n")).synthesis
+    return course.solve(loading.loads(f"language: en\nsynthesis: {{{text}}}\n")).synthesis
 
 
 @pytest.mark.parametrize("name", TEXTS, ids=lambda name: name.replace(" ", "_"))
@@ -299,9 +299,9 @@ WAYS = {
 def test_the_conclusion_has_the_lengths_as_they_are_taken():
     """Rounded to whole centimetres, and only so."""
     text = "language: en\nsynthesis: {slider_crank: {stroke: 118 mm, K: 1.2, ratio: 3}, round: 1 cm}\n"
-    note = render(course.solve(course.loads(text)), "html")["note.html"].decode()
+    note = render(course.solve(loading.loads(text)), "html")["note.html"].decode()
     said = plain(note.rsplit("The synthesis gives the linkage", 1)[1].split("</p>")[0])
-    s = course.solve(course.loads(text)).synthesis.s
+    s = course.solve(loading.loads(text)).synthesis.s
     for key, letter in (("crank", "a"), ("rod", "b"), ("offset", "e")):
         assert f"{letter}={10 * round(s.number(key) * 100)}mm" in said
 

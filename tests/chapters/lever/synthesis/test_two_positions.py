@@ -10,7 +10,7 @@ from reading import wrong
 from test_against_results import unmarked, wrong_cells, wrong_formulas
 from test_arithmetic import wrong_results
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 DEMANDS = {
@@ -44,7 +44,7 @@ mechanism:
 
 
 def found(demand, more="", language="en"):
-    return course.solve(course.loads(f"language: {language}\nsynthesis: {{{demand}}}\n{more}"))
+    return course.solve(loading.loads(f"language: {language}\nsynthesis: {{{demand}}}\n{more}"))
 
 
 @pytest.mark.parametrize("name", DEMANDS, ids=lambda name: name.replace(" ", "_"))
@@ -123,5 +123,7 @@ def test_slips_and_what_no_linkage_does(demand, key, words):
     [("extremes of a rocker", "swing_taken"), ("rocker and crank", "misfit"), ("slider and crank", "misfit")],
 )
 def test_rounding_is_told(name, key):
-    s = course.solve(course.loads(f"language: en\nsynthesis: {{{DEMANDS[name]}, round: 1 mm}}\n")).synthesis.s
+    s = course.solve(
+        loading.loads(f"language: en\nsynthesis: {{{DEMANDS[name]}, round: 1 mm}}\n")
+    ).synthesis.s
     assert key in s and (s.number(key) < 1e-3 or key == "swing_taken")

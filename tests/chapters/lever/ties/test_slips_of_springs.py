@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.i18n import Translator
 from tmm_report.problems import ProblemError
 
@@ -56,7 +56,7 @@ SLIPS = [  # right, wrong, where, what is said
 
 def problems(text: str):
     with pytest.raises(ProblemError) as caught:
-        course.loads(text)
+        loading.loads(text)
     return {problem.key: problem for problem in caught.value.problems}
 
 
@@ -71,5 +71,5 @@ def test_a_slip_is_told_at_its_place_in_both_languages(right, wrong, key, words)
 
 
 def test_the_text_itself_is_right():
-    given = course.loads(TEXT).lever.loads
+    given = loading.loads(TEXT).lever.loads
     assert [(force.at, force.of) for force in given.forces] == [("F", "c1"), ("S", "b1")]

@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from notes import render
 
-from tmm_report import course, stack
+from tmm_report import course, loading, stack
 from tmm_report.chapters.lever.kinetostatics.solve import acting_exact
 from tmm_report.chapters.lever.kinetostatics.solve.positions import solve
 from tmm_report.mechanics.lever.cycle import Cycle
@@ -48,7 +48,7 @@ STEP = 1e-4  # rad, of central differences
 
 
 def forces_of(text: str):
-    return course.solve(course.loads(text)).lever.kinetostatics
+    return course.solve(loading.loads(text)).lever.kinetostatics
 
 
 def lengths(cycle: Cycle, ends: tuple[str, str], turned: np.ndarray) -> np.ndarray:
@@ -291,7 +291,7 @@ def test_many_variants_together_are_each_as_alone():
         USUAL + LOADS.replace("free_length: 180 mm", f"preload: {50 + 10 * k} N, at_position: {k}")
         for k in range(stack.LEAST)
     ]
-    variants = [course.loads(text) for text in texts]
+    variants = [loading.loads(text) for text in texts]
     for variant, found in zip(variants, stack.solve_many(variants), strict=True):
         alone = course.solve(variant).lever.kinetostatics
         assert found.lever.kinetostatics.table.balancing.tobytes() == alone.table.balancing.tobytes()
@@ -305,7 +305,7 @@ RUNNING = """dynamics:
 
 def test_springs_in_the_machine_in_motion_have_their_potential():
     """By the force analysis the moment, by the lengths the energy: over a cycle it takes no work, and −dV/dφ is it."""
-    found = course.solve(course.loads(USUAL + SPRINGS + RUNNING)).dynamics
+    found = course.solve(loading.loads(USUAL + SPRINGS + RUNNING)).dynamics
     springs = [moment for of, moment in found.whole.machine.moments if of.key.startswith("F_c")]
     panels = found.whole.panels
     assert len(springs) == 2 and all(np.abs(moment).max() > 1 for moment in springs)
@@ -329,19 +329,19 @@ KINDS = {
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_note_is_written(kind):
     text = USUAL.replace("speed: 120 rpm", "speed: 120 rpm, turns: 2") if kind == "turns" else USUAL
-    results = course.solve(course.loads(text + KINDS[kind]))
+    results = course.solve(loading.loads(text + KINDS[kind]))
     for language, words in (("en", "Springs and dampers"), ("ru", "Пружины и демпферы")):
         assert words in render(results, "html", language)["note.html"].decode()
 
 
 def test_the_note_says_where_the_points_meet():
     text = SLIDER.replace("K: [300 mm, 0]", "K: [400 mm, 0]")
-    note = render(course.solve(course.loads(text)), "html")["note.html"].decode()
+    note = render(course.solve(loading.loads(text)), "html")["note.html"].decode()
     assert "two points meet" in note
 
 
 def test_a_flywheel_takes_the_work_of_dampers():
-    found = course.solve(course.loads(USUAL + "  gravity: 0\n  dampers:" + DAMPERS + FLYWHEEL))
+    found = course.solve(loading.loads(USUAL + "  gravity: 0\n  dampers:" + DAMPERS + FLYWHEEL))
     whole = found.lever.kinetostatics.works.balancing.whole
     assert found.flywheel.sides.machine.panels.mean(
         found.flywheel.sides.machine.whole_moment
@@ -352,5 +352,5 @@ def test_a_flywheel_takes_the_work_of_dampers():
 def test_a_spring_that_is_also_stated_of_the_machine_in_motion_is_doubted(at, told):
     spring = f"springs: [{{at: {at}, to: [600 mm, 300 mm], stiffness: 2 kN/m, length: 180 mm}}]"
     text = f"{USUAL}{LOADS.split('  dampers:')[0]}dynamics: {{{spring}, start: {{time: 0.1 s}}}}\n"
-    said = [problem.text(str) for problem in course.loads(text).doubts]
+    said = [problem.text(str) for problem in loading.loads(text).doubts]
     assert any("state it once, in loads.springs" in one for one in said) is told

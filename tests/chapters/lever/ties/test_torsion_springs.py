@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from conftest import path_of
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.kinetostatics.solve import lengths
 from tmm_report.chapters.lever.kinetostatics.solve.acting_exact import acting
 from tmm_report.mechanics.rivals.exact.moving import motion as exactly
@@ -31,7 +31,7 @@ OMEGA = 2 * np.pi
 
 
 def rocker(*springs, key="torsion_springs", more=""):
-    return course.solve(course.loads(ROCKER % (key, ", ".join(springs)) + more)).lever
+    return course.solve(loading.loads(ROCKER % (key, ", ".join(springs)) + more)).lever
 
 
 def angles(phi):
@@ -88,7 +88,7 @@ def test_a_spring_so_soft_is_its_preload():
 
 
 def test_works_powers_and_lever_agree_over_the_cycle():
-    lever = course.solve(course.load(path_of("sprung_screen"))).lever.kinetostatics
+    lever = course.solve(loading.load(path_of("sprung_screen"))).lever.kinetostatics
     assert abs(lever.works.whole) < 1e-12 * lever.works.size
     for one in (lever.table, lever.diagram):
         assert np.nanmax(one.disagreement(one.lever)) < 1e-9
@@ -111,7 +111,7 @@ def test_an_angle_beyond_half_a_turn_has_no_jump():
     """A crank that turns by 300° and back: its spring is drawn up by c φ all the way."""
     text = ROCKER.replace("driver: {link: 1, ", "driver: {link: 1, range: 300 deg, ")
     lever = course.solve(
-        course.loads(text % ("torsion_springs", "{links: [1, 0], stiffness: 5, preload: 0}"))
+        loading.loads(text % ("torsion_springs", "{links: [1, 0], stiffness: 5, preload: 0}"))
     ).lever
     np.testing.assert_allclose(
         lever.kinetostatics.table.balancing, 5 * np.linspace(0, math.radians(300), 25), rtol=1e-9, atol=1e-9
@@ -124,7 +124,7 @@ def test_the_machine_in_motion_has_it_in_its_potential():
         "resistance: [{viscous: 0.3}]}\n"
     )
     found = course.solve(
-        course.loads(ROCKER % ("torsion_springs", "{links: [2, 3], stiffness: 50, preload: 7}") + more)
+        loading.loads(ROCKER % ("torsion_springs", "{links: [2, 3], stiffness: 50, preload: 7}") + more)
     ).dynamics
     whole = found.whole
     keys = [one.key for one in whole.conservative]
@@ -171,7 +171,7 @@ def test_the_exact_moments_are_those_of_the_doubles():
     """Also beside half a turn, where the directions alone do not tell the angle."""
     text = ROCKER.replace("driver: {link: 1, ", "driver: {link: 1, range: 300 deg, ")
     springs = "{links: [1, 0], stiffness: 5, preload: 2}, {links: [2, 3], stiffness: 3, free_angle: 20 deg}"
-    lever = course.solve(course.loads(text % ("torsion_springs", springs))).lever
+    lever = course.solve(loading.loads(text % ("torsion_springs", springs))).lever
     kinematics, given = lever.kinematics, lever.kinetostatics.given
     found = exactly(kinematics.cycle, kinematics.table.phi)
     moments = acting(given, kinematics, kinematics.table, found, kinematics.turned).moments
@@ -194,7 +194,7 @@ BARE = ROCKER.replace("  %s: [%s]\n", "")
 
 
 def in_motion(*springs, text=BARE):
-    return course.solve(course.loads(f"{text}{MACHINE}  torsion_springs: [{', '.join(springs)}]\n"))
+    return course.solve(loading.loads(f"{text}{MACHINE}  torsion_springs: [{', '.join(springs)}]\n"))
 
 
 @pytest.mark.parametrize(
@@ -235,10 +235,10 @@ def test_its_moment_on_the_main_shaft_is_the_slope_of_its_energy(spring, free, o
 def test_it_acts_as_the_same_one_among_the_loads():
     spring = "{links: [2, 3], stiffness: 50, preload: 7}"
     own = in_motion(spring).dynamics
-    among = course.solve(course.loads(ROCKER % ("torsion_springs", spring) + MACHINE)).dynamics
+    among = course.solve(loading.loads(ROCKER % ("torsion_springs", spring) + MACHINE)).dynamics
     assert own.start.omega[-1] == pytest.approx(among.start.omega[-1], rel=1e-10)
     assert np.ptp(own.whole.potential) == pytest.approx(np.ptp(among.whole.potential), rel=1e-10)
-    none = course.solve(course.loads(BARE + MACHINE)).dynamics
+    none = course.solve(loading.loads(BARE + MACHINE)).dynamics
     assert abs(own.start.omega[-1] / none.start.omega[-1] - 1) > 1e-4
 
 
@@ -273,17 +273,17 @@ def test_without_a_mechanism_there_is_nothing_to_turn():
     with pytest.raises(
         ProblemError, match="turns links of a mechanism against one another, and there is none"
     ):
-        course.loads(
+        loading.loads(
             f"language: en\n{MACHINE}  torsion_springs: [{{links: [3, 0], stiffness: 5, preload: 0}}]\n"
         )
     with pytest.raises(ProblemError, match=r"stands in dynamics\.torsion_springs"):
-        course.loads(f"{BARE}{MACHINE}  springs: [{{links: [3, 0], stiffness: 5, length: 0.1}}]\n")
+        loading.loads(f"{BARE}{MACHINE}  springs: [{{links: [3, 0], stiffness: 5, length: 0.1}}]\n")
 
 
 @pytest.mark.parametrize(("links", "told"), [("[3, 0]", 1), ("[0, 3]", 1), ("[2, 3]", 0)])
 def test_one_among_the_loads_too_is_asked_about(links, told):
     text = ROCKER % ("torsion_springs", "{links: [3, 0], stiffness: 50, preload: 7}")
     spring = f"{{links: {links}, stiffness: 50, preload: 7}}"
-    variant = course.loads(f"{text}{MACHINE}  torsion_springs: [{spring}]\n")
+    variant = loading.loads(f"{text}{MACHINE}  torsion_springs: [{spring}]\n")
     doubts = [one for one in variant.doubts if "stands among the loads, too" in one.text()]
     assert [one.key for one in doubts] == ["dynamics.torsion_springs.0.links"] * told

@@ -4,7 +4,7 @@ in the file, solved, held against what follows by hand."""
 import numpy as np
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.balancing.solve.whole import Found
 from tmm_report.mechanics.calculus import harmonics as fourier
 from tmm_report.problems import ProblemError
@@ -62,7 +62,7 @@ BALANCED = "balancing: {methods: [substituted, optimum], part: %g, counterweight
 
 
 def balanced(text: str, block: str = BALANCED % 0.5) -> Found:
-    found = course.solve(course.loads(f"{text}{block}\n")).balancing
+    found = course.solve(loading.loads(f"{text}{block}\n")).balancing
     assert found is not None
     return found
 
@@ -73,7 +73,7 @@ def moment(found: Found, name: str) -> complex:
 
 def told(text: str, block: str) -> list[str]:
     with pytest.raises(ProblemError) as caught:
-        course.loads(f"{text}{block}\n")
+        loading.loads(f"{text}{block}\n")
     return [".".join(map(str, problem.path)) for problem in caught.value.problems]
 
 
@@ -156,7 +156,7 @@ def test_a_wrong_size_is_not_told_as_a_missing_one_too(block, places):
 
 def test_a_fixed_point_is_not_offered_for_itself():
     with pytest.raises(ProblemError) as caught:
-        course.loads(CRANK % "A: 50 mm, " + "harmonics: {points: [O]}\n")
+        loading.loads(CRANK % "A: 50 mm, " + "harmonics: {points: [O]}\n")
     (problem,) = caught.value.problems
     assert problem.right is not None and "O" not in problem.right.values.get("words", "").split(", ")
     assert "near" not in problem.right.values
@@ -180,7 +180,7 @@ mechanism:
 def test_a_motion_that_jumps_within_the_turn_has_no_harmonics(block):
     """A kite whose pin passes through the fixed pivot: the rocker goes on by half a turn, or back. The jump is told as
     a gap of the mechanism, with which there is no cycle to be developed."""
-    found = course.solve(course.loads(f"{KITE}{block}\n"))
+    found = course.solve(loading.loads(f"{KITE}{block}\n"))
     assert course.left_out(found) == [block.split(":")[0]]
     assert found.lever.kinematics.gaps
 

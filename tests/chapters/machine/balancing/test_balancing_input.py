@@ -6,7 +6,7 @@ import pytest
 from conftest import read
 from notes import VARIANTS
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 
@@ -18,7 +18,7 @@ def text_of(name: str, block: str) -> str:
 
 
 def solved_with(name: str, block: str) -> course.Results:
-    return course.solve(course.loads(text_of(name, block)))
+    return course.solve(loading.loads(text_of(name, block)))
 
 
 def problems(name: str, block: str) -> list[tuple[str, str]]:
@@ -28,7 +28,7 @@ def problems(name: str, block: str) -> list[tuple[str, str]]:
 
 
 def test_units_and_defaults():
-    given = course.loads(
+    given = loading.loads(
         text_of("crank_rocker", "  counterweights: {1: {distance: 4 cm}, 3: {mass: 500 g}}")
     ).balancing
     assert given.counterweights["1"].distance == pytest.approx(0.04)
@@ -37,7 +37,7 @@ def test_units_and_defaults():
 
 
 def test_rotors_stated_are_rotors_asked_for():
-    given = course.loads(text_of("compressor", "  rotors: {first: 60 mm, second: 40 mm}")).balancing
+    given = loading.loads(text_of("compressor", "  rotors: {first: 60 mm, second: 40 mm}")).balancing
     assert given.ways[-1] == "rotors" and given.radii == pytest.approx({1: 0.06, 2: 0.04})
 
 
@@ -84,7 +84,7 @@ def test_nothing_heavy_is_told():
     text = text_of("crank_rocker", "  counterweights: {1: {mass: 2 kg}}").split("\nloads:")[0]
     light = re.sub(r"\b(mass|mass_centre): [^,}\n]*,? ?", "", text)
     with pytest.raises(ProblemError) as error:
-        course.loads(light + "\nbalancing: {counterweights: {1: {distance: 60 mm}}}\n")
+        loading.loads(light + "\nbalancing: {counterweights: {1: {distance: 60 mm}}}\n")
     assert "no link has a mass" in str(error.value)
 
 
@@ -95,7 +95,7 @@ def test_a_heavy_link_that_only_turns_about_its_centre_leaves_nothing_to_balance
         "1: {points: {O: 0, A: 60 mm},", "1: {points: {O: 0, A: 60 mm}, mass: 2 kg, mass_centre: O,"
     )
     with pytest.raises(ProblemError) as error:
-        course.solve(course.loads(text))
+        course.solve(loading.loads(text))
     assert "no link with a mass is accelerated" in str(error.value)
 
 
@@ -108,7 +108,7 @@ def test_full_balance_alone_where_guides_forbid_it_is_explained():
 @pytest.mark.exhaustive
 def test_without_a_mechanism_the_block_is_out_of_place():
     with pytest.raises(ProblemError) as error:
-        course.loads("eccentric: {module: 2 mm, teeth: [34, 60, 136]}\nbalancing: {part: 0.4}\n")
+        loading.loads("eccentric: {module: 2 mm, teeth: [34, 60, 136]}\nbalancing: {part: 0.4}\n")
     assert any("no lever mechanism" in problem.text() for problem in error.value.problems)
 
 
@@ -119,7 +119,7 @@ def test_a_rocking_driver_is_told():
     text = re.sub(r"zero: \{[^}]*\}", "zero: {angle: 40 deg}", text)
     text = re.sub(r"plans: \[[^]]*\], force_plan: \[[^]]*\]", "plans: [2], force_plan: 2", text)
     with pytest.raises(ProblemError) as error:
-        course.solve(course.loads(text))
+        course.solve(loading.loads(text))
     assert "makes no full turn" in str(error.value)
 
 

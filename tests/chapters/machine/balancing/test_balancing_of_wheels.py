@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from test_planets import KINDS, Alone, at, centre, finished, poses, rolls, text
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.mechanics.lever.motion import solve as motion_at
 
 CASES = [(kind, seed) for kind in KINDS for seed in (range(4) if kind is not rolls else (1, 2, 4, 6))]
@@ -24,7 +24,7 @@ def solved(kind, seed):
     made = finished(kind(rng), rng)
     weights = ", ".join(f"{link}: {{distance: 50 mm}}" for link in made["links"])
     block = f"\nbalancing: {{methods: [full, pivoted, optimum], counterweights: {{{weights}}}}}\n"
-    return made, course.solve(course.loads(text(made) + block))
+    return made, course.solve(loading.loads(text(made) + block))
 
 
 def momenta(made, linkage, phi):

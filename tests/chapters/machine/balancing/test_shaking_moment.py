@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from notes import VARIANTS, note
 
-from tmm_report import course, render
+from tmm_report import course, loading, render
 from tmm_report.chapters.machine.balancing.solve.cases import Case
 from tmm_report.chapters.machine.balancing.solve.whole import Found
 from tmm_report.mechanics.calculus import harmonics as fourier
@@ -33,7 +33,7 @@ def found_in(name: str, block: str) -> Found:
     bare = re.sub(r"\n(balancing|harmonics|flywheel|vibration|reduction):[^\n]*(\n+ [^\n]*)*", "", text)
     weights = ", ".join(f"{link}: {{distance: 60 mm}}" for link in HEAVY[name] if "optimum" in block)
     stated = f"{bare}\nbalancing: {{counterweights: {{{weights}}}, {block}}}\n"
-    balanced = course.solve(course.loads(stated)).balancing
+    balanced = course.solve(loading.loads(stated)).balancing
     assert balanced is not None
     return balanced
 
@@ -133,7 +133,7 @@ balancing: {%s}
 
 
 def four_bar(block: str, inertia: str = "0.0192 kg*m^2") -> Found:
-    found = course.solve(course.loads(FOUR_BAR % (inertia, "", block))).balancing
+    found = course.solve(loading.loads(FOUR_BAR % (inertia, "", block))).balancing
     assert found is not None
     return found
 
@@ -168,7 +168,7 @@ def test_a_mechanism_that_has_the_wheel_hands_on_what_is_left():
     link = f"    4: {{points: {{E: 0, S4: 0}}, mass: 0 kg, inertia: {wheel.inertia!r} kg*m^2}}\n  wheels:\n"
     link += "    - {links: [4, 3], ratio: 1.5}\n"
     text = (FOUR_BAR % ("0.012 kg*m^2", link, "")).split("balancing:")[0]
-    geared = course.solve(course.loads(text)).lever
+    geared = course.solve(loading.loads(text)).lever
     assert geared is not None
     _, moment = on_frame(geared.kinematics.table, 0j)
     ours = case(plain, "inertia").table.moment
@@ -218,7 +218,7 @@ balancing: {methods: [inertia, couples], couples: {1: {radius: 5 cm, distance: 3
 
 
 def test_where_no_link_turns_unevenly_wheels_take_nothing_and_weights_do():
-    found = course.solve(course.loads(YOKE)).balancing
+    found = course.solve(loading.loads(YOKE)).balancing
     assert found is not None
     geared, coupled = case(found, "inertia"), case(found, "couples")
     assert geared.wheels == () and geared.moment_max.value == found.original.moment_max.value > 1
@@ -245,7 +245,7 @@ def test_weights_in_antiphase_are_two_masses_on_two_axes(sense):
     text = (FOUR_BAR % ("0.01 kg*m^2", "", f"methods: [couples], after: none, {COUPLES}")).replace(
         "clockwise", sense
     )
-    found = course.solve(course.loads(text)).balancing
+    found = course.solve(loading.loads(text)).balancing
     assert found is not None
     of = case(found, "couples")
     omega, h = abs(found.kinematics.omega), 1e-4

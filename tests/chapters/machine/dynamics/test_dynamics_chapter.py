@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import solved
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.moving import Moving, machine
 from tmm_report.chapters.machine.dynamics import quantities
 from tmm_report.mechanics.machine.run.by_time import by_time
@@ -25,7 +25,7 @@ def pump():
 
 
 def alone(text):
-    return course.solve(course.loads("dynamics:\n" + text)).dynamics
+    return course.solve(loading.loads("dynamics:\n" + text)).dynamics
 
 
 def refused(text):
@@ -95,7 +95,7 @@ def test_without_a_motor_a_constant_moment_closes_the_cycle_at_the_speed_of_the_
     text = (
         (course_text(PUMP).split("\ndynamics:")[0]) + "\ndynamics: {parts: [{name: flywheel, inertia: 20}]}\n"
     )
-    found = course.solve(course.loads(text)).dynamics
+    found = course.solve(loading.loads(text)).dynamics
     assert found.steady.mean == pytest.approx(90 * math.pi / 30, rel=1e-9)
     closing = book(found)["dynamics_M_closing"].value
     table = pump.lever.reduction.diagram
@@ -115,7 +115,7 @@ def test_a_spring_at_a_point_gives_back_what_it_took(pump):
         "  start: {within: 2 %}",
         "  springs: [{at: D, to: [600 mm, -190 mm], stiffness: 3 kN/m, length: 100 mm}]\n  start: {within: 2 %}",
     )
-    found = course.solve(course.loads(text)).dynamics
+    found = course.solve(loading.loads(text)).dynamics
     assert abs(found.steady.works["spring1"]) < 1e-9 * found.steady.works["motor"]
     assert found.conservative < 1e-8
     place = solved(PUMP).lever.kinematics.table.place("D")

@@ -9,7 +9,7 @@ import pytest
 from notes import VARIANTS
 from test_dynamics_chapter import alone, book, refused
 
-from tmm_report import course, note
+from tmm_report import course, loading, note
 from tmm_report.figures.drawing import Path
 from tmm_report.i18n import Translator
 from tmm_report.problems import ProblemError
@@ -129,14 +129,14 @@ def test_an_end_that_is_not_one_and_points_that_reach_too_far_are_told(text, wor
 
 def test_a_start_to_a_steady_motion_to_which_nothing_leads_is_refused():
     with pytest.raises(ProblemError) as error:
-        course.solve(course.loads(STATED + "\ndynamics: {parts: [{name: a, inertia: 14}], start: {}}\n"))
+        course.solve(loading.loads(STATED + "\ndynamics: {parts: [{name: a, inertia: 14}], start: {}}\n"))
     (said,) = [problem.text() for problem in error.value.problems]
     assert "does not come to its steady motion by itself" in said
 
 
 def test_the_cycle_of_a_mechanism_is_its_own():
     with pytest.raises(ProblemError) as error:
-        course.loads(
+        loading.loads(
             STATED + "\ndynamics: {parts: [], period: 360 deg, varying_inertia: [[0, 2], [90 deg, 3]]}\n"
         )
     said = [problem.text() for problem in error.value.problems]
@@ -149,7 +149,7 @@ dynamics:
   parts: [{name: flywheel, inertia: 2}]
   resistance: [{fan: {moment: 150, speed: 230}}, {by_angle: [[0, 20], [720 deg, 0]]}]
 """
-    found = course.solve(course.loads(ENGINE + text)).dynamics
+    found = course.solve(loading.loads(ENGINE + text)).dynamics
     assert "dynamics_M_closing" not in book(found).values
     works = found.steady.works
     assert works["res2"] == pytest.approx(-10 * 4 * math.pi)
@@ -162,7 +162,7 @@ dynamics:
 def test_a_machine_whose_motion_is_not_asked_for_is_drawn_as_its_shaft():
     """In a list of many every variant has a picture."""
     text = "dynamics: {parts: [{name: a, inertia: 2 kg*m^2}, {name: b, inertia: 1 kg*m^2, ratio: 0.5}]}"
-    drawn = note.picture(course.solve(course.loads(text)), Page(Html(), Translator("en"), Numbering()))
+    drawn = note.picture(course.solve(loading.loads(text)), Page(Html(), Translator("en"), Numbering()))
     assert sum(isinstance(item, Path) and item.closed for item in drawn.items) == 2
 
 
@@ -192,17 +192,17 @@ ROUND = ", [360 deg, 90]"
 def test_a_table_that_leaves_out_a_long_part_of_the_cycle_is_asked_for_it(text, place):
     """It was drawn straight on to the next cycle without a word."""
     with pytest.raises(ProblemError) as error:
-        course.loads(text % STROKE % "")
+        loading.loads(text % STROKE % "")
     assert ".".join(map(str, error.value.problems[0].path)).endswith(place)
     assert "from 180 to 360 deg" in error.value.problems[0].text()
-    course.loads(text % STROKE % ROUND)
+    loading.loads(text % STROKE % ROUND)
 
 
 @pytest.mark.parametrize(
     "angles", ["[[0, 0], [90 deg, 50], [180 deg, 0]]", "[[0, 40], [90 deg, 50], [270 deg, 9]]"]
 )
 def test_a_table_of_nought_outside_or_of_points_all_round_is_whole(angles):
-    course.loads(f"flywheel: {{delta: 1/30, speed: 9, resisting: {{table: {angles}}}}}")
+    loading.loads(f"flywheel: {{delta: 1/30, speed: 9, resisting: {{table: {angles}}}}}")
 
 
 def test_a_moment_by_time_may_jump():

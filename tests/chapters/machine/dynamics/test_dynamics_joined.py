@@ -12,7 +12,7 @@ from notes import render
 from scipy.integrate import solve_ivp
 from test_dynamics_chapter import alone, book
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.dynamics import draw
 from tmm_report.i18n import Translator
 from tmm_report.report.formats import Html
@@ -208,7 +208,7 @@ def test_a_run_down_from_the_speed_of_the_start_up_is_joined_with_it():
 
 def test_cycles_that_nothing_shows_are_doubted():
     text = SWUNG[: SWUNG.index("  start:")]
-    found = course.solve(course.loads("dynamics:\n" + text + "  steady: true\n  cycles: 4\n")).dynamics
+    found = course.solve(loading.loads("dynamics:\n" + text + "  steady: true\n  cycles: 4\n")).dynamics
     assert found.joined is None
     assert [one.path for one in found.doubts] == [("dynamics", "cycles")]
     assert not list(alone(SWUNG + "  cycles: 4\n").doubts)
@@ -235,7 +235,7 @@ def test_the_chart_bounds_the_regimes_at_their_times():
 )
 def test_a_run_down_by_itself_says_why(regimes, told):
     text = SWUNG[: SWUNG.index("  start:")] + f"  {regimes}\n"
-    results = course.solve(course.loads("language: en\ndynamics:\n" + text))
+    results = course.solve(loading.loads("language: en\ndynamics:\n" + text))
     html = render(results, "html", "en")["note.html"].decode()
     assert ("follows upon no other regime and stands by itself" in html) == told
     joined = results.dynamics.joined

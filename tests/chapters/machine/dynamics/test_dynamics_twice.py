@@ -8,7 +8,7 @@ import pytest
 from conftest import solved
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.dynamics.equations import Written
 from tmm_report.chapters.machine.dynamics.quantities import book
 
@@ -39,7 +39,7 @@ READY = ("hoist_start", "piston_pump", "tram_start")
 def found_of(name):
     if name in READY:
         return solved(name).dynamics
-    return course.solve(course.loads(f"dynamics: {{{TEXTS[name]}}}")).dynamics
+    return course.solve(loading.loads(f"dynamics: {{{TEXTS[name]}}}")).dynamics
 
 
 EVERY = pytest.mark.parametrize("name", [*TEXTS, *READY])

@@ -11,7 +11,7 @@ from notes import render
 from test_dynamics_chapter import alone, book
 from told import Told
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.commands.explain import run as explain
 from tmm_report.commands.gallery import run as gallery
 
@@ -34,7 +34,7 @@ TEXTS = {
 @pytest.mark.parametrize("language", many(("ru", "en")))
 @pytest.mark.parametrize("name", TEXTS)
 def test_there_is_a_note_in_every_form(name, language):
-    results = course.solve(course.loads(TEXTS[name]))
+    results = course.solve(loading.loads(TEXTS[name]))
     files = {form: render(results, form, language) for form in ("html", "tex", "json", "csv")}
     assert b"</html>" in files["html"]["note.html"] and b"\\end{document}" in files["tex"]["note.tex"]
     assert not any("dynamics_works" in str(file) for file in files["csv"])
@@ -45,7 +45,7 @@ def test_there_is_a_note_in_every_form(name, language):
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_the_page_says_that_no_regime_is_asked_for_or_gives_the_acceleration(name):
-    results = course.solve(course.loads(TEXTS[name]))
+    results = course.solve(loading.loads(TEXTS[name]))
     page = render(results, "html", "en")["note.html"].decode()
     constant = name in ("crash_reduction_only", "crash_constant_motor", "weights", "geared")
     assert ("No regime of the motion is asked for" in page) != constant

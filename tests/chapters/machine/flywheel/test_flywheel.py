@@ -11,7 +11,7 @@ from conftest import examples, read, solved
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.moving import Moving
 from tmm_report.chapters.machine.flywheel.loads import sides
 from tmm_report.mechanics.calculus import ode
@@ -31,7 +31,7 @@ def machine(moment, inertia, own: float = 0.0, turns: int = 1) -> fly.Cycle:
 
 def alone(**keys: object):
     text = "flywheel:\n" + "".join(f"  {key}: {value}\n" for key, value in keys.items())
-    return course.solve(course.loads(text)).flywheel
+    return course.solve(loading.loads(text)).flywheel
 
 
 # --- closed answers

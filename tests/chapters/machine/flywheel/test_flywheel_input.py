@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from conftest import read, solved
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 
 TABLE = "{table: [[0, 0], [90 deg, 800], [180 deg, 0], [360 deg, 0]]}"
@@ -25,7 +25,7 @@ LOADS = "loads: {forces: [{at: B, direction: against motion, constant: 500 N}]}\
 
 def told(text: str) -> str:
     with pytest.raises(ProblemError) as error:
-        course.solve(course.loads(text))
+        course.solve(loading.loads(text))
     return "\n".join(problem.text() for problem in error.value.problems)
 
 
@@ -97,7 +97,7 @@ def test_all_mistakes_are_told_at_once():
 
 
 def test_works_that_differ_by_less_than_a_hundredth_are_closed_and_said_so():
-    found = course.solve(course.loads(
+    found = course.solve(loading.loads(
         "flywheel: {delta: 0.1, speed: 10, driving: {mean: 100, harmonics: [{order: 1, sin: 40}]}, "
         "resisting: {constant: 99.5}}"
     )).flywheel  # fmt: skip
@@ -111,7 +111,7 @@ def test_the_ready_variants_state_what_a_textbook_does():
 
 
 def test_a_motor_beside_an_engine_that_drives_is_not_asked_for_its_power():
-    found = course.solve(course.loads(
+    found = course.solve(loading.loads(
         "flywheel: {delta: 0.1, speed: 10, driving: {mean: 100, harmonics: [{order: 1, sin: 40}]}, "
         "motor: {power: 1 W, speed: 50, inertia: 0.1}}"
     )).flywheel  # fmt: skip

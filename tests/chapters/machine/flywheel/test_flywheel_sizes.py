@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import solved
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.flywheel import draw
 from tmm_report.chapters.machine.flywheel.sketch import scale_of, sketch
 from tmm_report.mechanics.machine.flywheel import inertia as fly
@@ -18,7 +18,7 @@ LOAD = "resisting: {table: [[0, 0], [90 deg, 800], [180 deg, 0], [360 deg, 0]]},
 
 
 def alone(more: str):
-    return course.solve(course.loads(f"flywheel: {{{LOAD}, {more}}}")).flywheel
+    return course.solve(loading.loads(f"flywheel: {{{LOAD}, {more}}}")).flywheel
 
 
 def of_ring(inner: float, outer: float, width: float, density: float) -> float:

@@ -7,7 +7,7 @@ import pytest
 from conftest import solved
 from test_flywheel_input import told
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.flywheel.draw import places
 from tmm_report.chapters.machine.flywheel.quantities import book
 
@@ -16,7 +16,7 @@ ALONE = "delta: 1/30, speed: 100 rpm, " + LOAD
 
 
 def found(keys: str):
-    return course.solve(course.loads(f"flywheel: {{{keys}}}")).flywheel
+    return course.solve(loading.loads(f"flywheel: {{{keys}}}")).flywheel
 
 
 @pytest.mark.parametrize(

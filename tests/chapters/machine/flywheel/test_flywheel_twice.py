@@ -8,7 +8,7 @@ from conftest import solved
 from scipy.optimize import brentq
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.flywheel.equations import sample, unevenness
 from tmm_report.chapters.machine.flywheel.given import Disc, Gyration
 from tmm_report.chapters.machine.flywheel.methods import Written
@@ -38,7 +38,7 @@ TEXTS = {
 
 
 def found_of(name):
-    return course.solve(course.loads(f"flywheel: {{{TEXTS[name]}}}")).flywheel
+    return course.solve(loading.loads(f"flywheel: {{{TEXTS[name]}}}")).flywheel
 
 
 EVERY = [

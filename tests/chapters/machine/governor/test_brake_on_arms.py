@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.governor.draw.brake import brake
 from tmm_report.figures.drawing import Circle
 from tmm_report.mechanics.machine.governor.brake import Brake, Lever
@@ -28,7 +28,7 @@ def solved(*changes):
     for old, new in changes:
         assert old in text
         text = text.replace(old, new)
-    return course.solve(course.loads(text)).governor.brake
+    return course.solve(loading.loads(text)).governor.brake
 
 
 def pressed(brake: Brake, omega: float) -> float:

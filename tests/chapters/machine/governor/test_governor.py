@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.governor import given as block
 from tmm_report.chapters.machine.governor.given import Choose, Given
 from tmm_report.chapters.machine.governor.solve import by_itself as direct
@@ -322,7 +322,7 @@ WRONG = {
 def test_what_is_wrong_is_said_in_a_sentence(name):
     changes, key, words = WRONG[name]
     with pytest.raises(ProblemError) as caught:
-        course.solve(course.loads(text(**changes)))
+        course.solve(loading.loads(text(**changes)))
     found = [problem for problem in caught.value.problems if problem.key.endswith(key)]
     assert found and words in found[0].text() and found[0].right is not None, str(caught.value)
 
@@ -336,13 +336,13 @@ def test_of_what_is_mistyped_nothing_else_is_said():
     }
     machine = "{inertia: 9 kg, torque: {full: 9 N*m}, load: {before: 2 N*m, after: 3 N*m}}"
     with pytest.raises(ProblemError) as caught:
-        course.loads(text(**wrong, machine=machine, servo="{time: 1 s}"))
+        loading.loads(text(**wrong, machine=machine, servo="{time: 1 s}"))
     keys = sorted(problem.key for problem in caught.value.problems)
     assert keys == ["governor.balls.mas", "governor.bell_crank.ball_arm", "governor.machine.inertia"]
 
 
 def test_what_is_right_is_solved():
-    found = course.solve(course.loads(text())).governor
+    found = course.solve(loading.loads(text())).governor
     assert found.direct.word == "stable" and [str(line) for line in found.summary()]
 
 
@@ -359,7 +359,7 @@ HARTNELL = """governor:
 
 @pytest.mark.parametrize("speeds", [(430, 415), (300, 290), (415, 430)])
 def test_a_spring_for_speeds_that_fall_is_found_and_called_unstable(speeds):
-    found = course.solve(course.loads(HARTNELL % ("fulcrum: 150 mm, ", *speeds))).governor
+    found = course.solve(loading.loads(HARTNELL % ("fulcrum: 150 mm, ", *speeds))).governor
     own = found.direct
     forces = [  # moments about the fulcrum: two balls by the arm of 120 mm, sleeve and spring by that of 80 mm
         2 * 2.0 * (n * math.pi / 30) ** 2 * r * 120 / 80 - 3.0 * 9.81
@@ -373,7 +373,7 @@ def test_a_spring_for_speeds_that_fall_is_found_and_called_unstable(speeds):
 
 def test_a_level_angle_lever_needs_no_fulcrum():
     without, stated = (
-        course.solve(course.loads(HARTNELL % (key, 400, 430))).governor.direct
+        course.solve(loading.loads(HARTNELL % (key, 400, 430))).governor.direct
         for key in ("", "fulcrum: 150 mm, ")
     )
     assert without.table.omega == pytest.approx(stated.table.omega) and without.weights == stated.weights

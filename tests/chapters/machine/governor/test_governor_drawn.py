@@ -12,7 +12,7 @@ import pytest
 from conftest import solved
 from notes import note, render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.governor.draw import scheme
 from tmm_report.chapters.machine.governor.view import whole as views
 from tmm_report.chapters.machine.governor.view.brake import BrakeView
@@ -125,7 +125,7 @@ OTHERS = {
 
 @pytest.mark.parametrize("name", OTHERS)
 def test_other_governors_are_written_up(name):
-    found = course.solve(course.loads("language: en\ngovernor:\n" + OTHERS[name]))
+    found = course.solve(loading.loads("language: en\ngovernor:\n" + OTHERS[name]))
     text = render(found, "html")["note.html"].decode()
     assert not re.search(r"\bnan\b|\binf\b", text) and "<math" in text and list(found.governor.summary())
     assert render(found, "tex")["note.tex"]
@@ -134,7 +134,7 @@ def test_other_governors_are_written_up(name):
 
 
 def test_an_unstable_governor_is_said_first_with_what_would_help():
-    found = course.solve(course.loads("language: en\ngovernor:\n" + OTHERS["unstable"]))
+    found = course.solve(loading.loads("language: en\ngovernor:\n" + OTHERS["unstable"]))
     text = render(found, "html")["note.html"].decode()
     assert text.index("The governor is unstable") < text.index("Figure 1")
     assert "It would be made stable by" in text and "No dashpot makes the loop stable" in text

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.mechanics.machine.governor import stability as small
 from tmm_report.problems import ProblemError
 
@@ -171,7 +171,7 @@ def test_feedback_below_the_least_is_unstable():
 
 def test_an_unstable_loop_is_solved_and_said():
     text = variant("governor_porter", **{"damping: 1200": "damping: 20"})
-    found = course.solve(course.loads(text)).governor
+    found = course.solve(loading.loads(text)).governor
     assert not found.loop.stable and "unstable" in " ".join(str(line) for line in found.summary())
 
 
@@ -179,7 +179,7 @@ def test_a_dead_zone_leaves_the_speed_where_the_response_ends():
     text = variant(
         "governor_servo", **{"  servo:\n": "  servo:\n    dead_zone: 0.3 mm\n", "friction: 1 N, ": ""}
     )
-    found = course.solve(course.loads(text)).governor.loop
+    found = course.solve(loading.loads(text)).governor.loop
     assert found.short and found.final == found.response.omega[-1] != found.after.omega
     assert found.final == pytest.approx(found.after.omega, rel=2e-3)
     assert not solved("governor_servo").governor.loop.short
@@ -192,7 +192,7 @@ def test_friction_may_hold_what_small_motions_say_grows():
         "friction: 2 N,": "friction: 30 N,",
         "after: 280": "after: 215",
     }
-    found = course.solve(course.loads(variant("governor_porter", **changes)))
+    found = course.solve(loading.loads(variant("governor_porter", **changes)))
     loop, text = found.governor.loop, render(found, "html")["note.html"].decode()
     assert not loop.stable and not loop.stopped
     assert "Колебания растут" not in text
@@ -200,7 +200,7 @@ def test_friction_may_hold_what_small_motions_say_grows():
 
 def test_a_throttle_too_heavy_asks_for_an_indirect_governor():
     text = variant("governor_porter", **{"force: 2 N": "force: 20 N"})
-    assert course.solve(course.loads(text)).governor.loop.too_heavy
+    assert course.solve(loading.loads(text)).governor.loop.too_heavy
     assert not solved("governor_porter").governor.loop.too_heavy
 
 
@@ -243,6 +243,6 @@ WRONG = {
 def test_what_is_wrong_is_said_in_a_sentence(name):
     of, old, new, key, words = WRONG[name]
     with pytest.raises(ProblemError) as caught:
-        course.solve(course.loads(variant(of, **{old: new})))
+        course.solve(loading.loads(variant(of, **{old: new})))
     (problem,) = caught.value.problems
     assert problem.key.endswith(key) and words in problem.text() and problem.right is not None

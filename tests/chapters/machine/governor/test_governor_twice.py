@@ -5,7 +5,7 @@ import pytest
 from notes import VARIANTS
 from twice import disagreements, rows_disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.governor import equations, rows
 from tmm_report.chapters.machine.governor.quantities import of_brake, of_direct
 from tmm_report.chapters.machine.governor.view.brake import BrakeView
@@ -65,7 +65,7 @@ def found_of(name):
         if name in TEXTS
         else (VARIANTS / f"{name}.yaml").read_text(encoding="utf-8")
     )
-    return course.solve(course.loads(text)).governor
+    return course.solve(loading.loads(text)).governor
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.engine.draw import scheme, star_picture
 from tmm_report.chapters.machine.engine.given import Cylinder, Given, Rod
 from tmm_report.chapters.machine.engine.limits import peak, series
@@ -25,7 +25,7 @@ SIZES = "speed: 955 rpm, crank_radius: 50 mm, rod_length: 200 mm, reciprocating:
 
 
 def engine(layout: str, more: str = ""):
-    return course.solve(course.loads(f"engine: {{{SIZES}, {layout}{more}}}")).engine
+    return course.solve(loading.loads(f"engine: {{{SIZES}, {layout}{more}}}")).engine
 
 
 def built(layout, reciprocating, rotating, rod=None):
@@ -274,7 +274,7 @@ FOUR = "inline: {cranks: [0, 180 deg, 180 deg, 0], spacing: 0.1}"
 
 def test_a_rod_of_the_length_of_the_crank_is_told():
     with pytest.raises(ProblemError, match="hardly turns over"):
-        course.loads(f"engine: {{{SIZES.replace('200 mm', '52 mm')}, {FOUR}}}")
+        loading.loads(f"engine: {{{SIZES.replace('200 mm', '52 mm')}, {FOUR}}}")
 
 
 @pytest.mark.parametrize(
@@ -338,7 +338,7 @@ def test_a_two_stroke_boxer_fires_both_cylinders_together():
 
 
 def note(layout, more=""):
-    results = course.solve(course.loads(f"language: en\nengine: {{{SIZES}, {layout}{more}}}"))
+    results = course.solve(loading.loads(f"language: en\nengine: {{{SIZES}, {layout}{more}}}"))
     return render(results, "html")["note.html"].decode()
 
 

@@ -5,7 +5,7 @@ import pytest
 from conftest import solved
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.engine import equations
 from tmm_report.chapters.machine.engine.quantities import tables
 from tmm_report.mechanics.calculus import harmonics as fourier
@@ -30,7 +30,7 @@ TEXTS = {
 def found(request):
     """Every way to state a rod and a counterweight; with sums of order 1 and 2 of every kind."""
     if request.param in TEXTS:
-        return course.solve(course.loads(f"engine: {{{SIZES}, {TEXTS[request.param]}}}")).engine
+        return course.solve(loading.loads(f"engine: {{{SIZES}, {TEXTS[request.param]}}}")).engine
     return solved(request.param).engine
 
 

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from notes import VARIANTS
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.moving import Moving
 from tmm_report.chapters.machine.harmonics.given import Given
 from tmm_report.chapters.machine.harmonics.solve import Found, solve
@@ -175,7 +175,7 @@ def problems(block: str) -> list[tuple[str, str]]:
     text = VARIANTS.joinpath("crank_rocker.yaml").read_text("utf-8")
     bare = re.sub(r"\n(balancing|harmonics|flywheel|vibration):[^\n]*(\n+ [^\n]*)*", "", text)
     with pytest.raises(ProblemError) as error:
-        course.solve(course.loads(f"{bare}\nharmonics: {block}\n"))
+        course.solve(loading.loads(f"{bare}\nharmonics: {block}\n"))
     return [(problem.key, problem.text()) for problem in error.value.problems]
 
 
@@ -198,7 +198,7 @@ def test_a_wrong_value_is_told_where_it_stands(block, key, words):
 def test_a_slider_of_one_point_has_no_wave():
     text = VARIANTS.joinpath("slider_crank_offset.yaml").read_text("utf-8")
     with pytest.raises(ProblemError) as error:
-        course.loads(text.replace("links: [2]", "links: [3]"))
+        loading.loads(text.replace("links: [2]", "links: [3]"))
     assert "less than two points" in str(error.value)
 
 

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from notes import render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.rotor.draw import polygon_picture, scheme
 from tmm_report.chapters.machine.rotor.given import Body, Given, Heavy, Plane, Products, Steps
 from tmm_report.chapters.machine.rotor.quantities import tables, values
@@ -235,7 +235,7 @@ GOOD = "masses: [{mass: 1 kg, radius: 10 mm, angle: 0, at: 0}], planes: [{at: 0,
 
 def wrong(text):
     with pytest.raises(ProblemError) as error:
-        course.solve(course.loads(f"rotor: {{{text}}}"))
+        course.solve(loading.loads(f"rotor: {{{text}}}"))
     return str(error.value)
 
 
@@ -273,13 +273,13 @@ def test_a_mistake_is_told(text, said):
 
 def test_unbalance_may_be_stated_in_any_units():
     text = GOOD.replace("mass: 1 kg, radius: 10 mm", "unbalance: 250 g*mm")
-    found = course.solve(course.loads(f"rotor: {{{text}}}")).rotor
+    found = course.solve(loading.loads(f"rotor: {{{text}}}")).rotor
     assert found.products[0] == pytest.approx(250e-6)
 
 
 def test_a_rotor_in_balance_is_solved_too():
     found = course.solve(
-        course.loads(f"rotor: {{{GOOD.replace('radius: 10 mm', 'radius: 0')}, bearings: [0, 1]}}")
+        loading.loads(f"rotor: {{{GOOD.replace('radius: 10 mm', 'radius: 0')}, bearings: [0, 1]}}")
     ).rotor
     assert found.kind == "none" and found.corrections[0].mass == 0.0 and found.uneven == 0.0
 
@@ -331,7 +331,7 @@ def test_an_overhanging_mass_centre_is_shared_to_1_3(centre, shares):
 
 
 def said(text):
-    return render(course.solve(course.loads(f"language: en\nrotor: {{{text}}}")), "html")[
+    return render(course.solve(loading.loads(f"language: en\nrotor: {{{text}}}")), "html")[
         "note.html"
     ].decode()
 
@@ -381,7 +381,7 @@ def test_one_plane_says_what_it_leaves():
 def test_one_mistake_is_told_once(text, path):
     """What is wrong in itself is not told again as missing."""
     with pytest.raises(ProblemError) as error:
-        course.loads(f"rotor: {{{text}}}")
+        loading.loads(f"rotor: {{{text}}}")
     assert [".".join(map(str, problem.path)) for problem in error.value.problems] == [path]
 
 

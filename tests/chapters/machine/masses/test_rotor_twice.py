@@ -5,7 +5,7 @@ import pytest
 from notes import VARIANTS
 from twice import disagreements, rows_disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.rotor.equations import ROWS
 from tmm_report.chapters.machine.rotor.quantities import tables
 
@@ -36,7 +36,7 @@ def found_of(name):
         if name in TEXTS
         else (VARIANTS / f"{name}.yaml").read_text(encoding="utf-8")
     )
-    return course.solve(course.loads(text)).rotor
+    return course.solve(loading.loads(text)).rotor
 
 
 @pytest.mark.parametrize("name", [*TEXTS, "rotor"])

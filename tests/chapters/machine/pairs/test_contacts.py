@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report import course, note
+from tmm_report import course, loading, note
 from tmm_report.chapters.machine.contacts import given as state
 from tmm_report.chapters.machine.contacts import quantities, solve, words
 from tmm_report.chapters.machine.contacts.draw_turning import SKETCHES
@@ -39,7 +39,7 @@ KINDS = {
 
 def stated(kind: str, text: str = "") -> solve.Solved:
     lines = f"language: en\ncontacts:\n  - {{kind: {kind}, {text or KINDS[kind]}}}\n"
-    found = course.solve(course.loads(lines)).contacts
+    found = course.solve(loading.loads(lines)).contacts
     assert found is not None
     return found.items[0]
 
@@ -228,7 +228,7 @@ def test_a_driving_wheel_slips_beyond_its_moment_and_what_is_told_helps():
     text = "radius: 0.2 m, arm: 1 mm, load: 1 kN, coefficient: 0.2, moment: "
     for moment, said in ((0.5, "stays at rest"), (30, "without slipping"), (50, "It would not slip with")):
         found = course.solve(
-            course.loads(f"language: en\ncontacts:\n  - {{kind: wheel, {text}{moment} N*m}}\n")
+            loading.loads(f"language: en\ncontacts:\n  - {{kind: wheel, {text}{moment} N*m}}\n")
         )
         assert said in note.render(found, "html", Translator("en"))["note.html"].decode()
     with pytest.raises(ProblemError, match="at most one of: pull, moment"):
@@ -293,7 +293,7 @@ def test_a_journal_is_turned_against_its_friction_circle():
 )  # fmt: skip
 def test_what_cannot_be_is_told_with_its_reason(text, said):
     with pytest.raises(ProblemError, match=said):
-        course.solve(course.loads(f"language: en\ncontacts:\n  - {{{text}}}\n"))
+        course.solve(loading.loads(f"language: en\ncontacts:\n  - {{{text}}}\n"))
 
 
 def test_all_mistakes_are_told_at_once():
@@ -301,13 +301,13 @@ def test_all_mistakes_are_told_at_once():
         f"  - {{kind: incline, angle: {angle} deg, coefficient: 1, load: 1 N}}" for angle in (50, 60)
     )
     with pytest.raises(ProblemError) as told:
-        course.solve(course.loads(f"language: en\ncontacts:\n{lines}\n"))
+        course.solve(loading.loads(f"language: en\ncontacts:\n{lines}\n"))
     assert len(told.value.problems) == 2
 
 
 def test_the_summary_names_efficiencies():
     found = course.solve(
-        course.loads(f"language: en\ncontacts: [{{kind: screw, {KINDS['screw']}}}]")
+        loading.loads(f"language: en\ncontacts: [{{kind: screw, {KINDS['screw']}}}]")
     ).contacts
     (line,) = found.summary()
     assert f"{found.items[0].s.number('eta'):.4f}" in str(line)

@@ -7,7 +7,7 @@ import pytest
 from notes import VARIANTS
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.mechanics.pairs import friction as law
 
 PULLEYS = "distance: 0.6 m, speed: 1440 rpm, width: 50 mm, thickness: 4 mm, stress: 1.6 MPa, coefficient: 0.3"
@@ -46,12 +46,12 @@ TEXTS = (
 
 @pytest.mark.parametrize("text", TEXTS)
 def test_every_formula_agrees_with_the_second_way(text):
-    (item,) = course.solve(course.loads(f"language: en\ncontacts:\n  - {{{text}}}\n")).contacts.items
+    (item,) = course.solve(loading.loads(f"language: en\ncontacts:\n  - {{{text}}}\n")).contacts.items
     assert item.s.computed() and disagreements(item.s, WAYS[item.kind](item.of)) == []
 
 
 def test_every_formula_of_a_ready_variant():
-    found = course.solve(course.load(VARIANTS / "jack_and_belt.yaml")).contacts
+    found = course.solve(loading.load(VARIANTS / "jack_and_belt.yaml")).contacts
     assert [disagreements(item.s, WAYS[item.kind](item.of)) for item in found.items] == [[]] * len(
         found.items
     )

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.efficiency import quantities, solve
 from tmm_report.chapters.machine.efficiency.draw import scheme
 from tmm_report.chapters.machine.efficiency.given import Given, Joined, Module, modules
@@ -45,7 +45,7 @@ TREES = groups(st.recursive(ETA.map(Module), groups, max_leaves=6))
 
 
 def stated(text: str) -> solve.Found:
-    found = course.solve(course.loads(f"language: en\nefficiency: {text}\n")).efficiency
+    found = course.solve(loading.loads(f"language: en\nefficiency: {text}\n")).efficiency
     assert found is not None
     return found
 

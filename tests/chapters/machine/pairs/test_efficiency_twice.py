@@ -6,7 +6,7 @@ import pytest
 from notes import VARIANTS
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.efficiency.view import EfficiencyView
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.pairs import efficiency_chains
@@ -26,7 +26,7 @@ TEXTS = (
 
 
 def found_of(text):
-    return course.solve(course.loads(f"language: en\nefficiency: {text}\n")).efficiency
+    return course.solve(loading.loads(f"language: en\nefficiency: {text}\n")).efficiency
 
 
 @pytest.mark.parametrize("text", TEXTS)
@@ -35,7 +35,7 @@ def test_every_formula_agrees_with_the_second_way(text):
 
 
 def test_every_formula_of_a_ready_variant():
-    _agrees(course.solve(course.load(VARIANTS / "machine_train.yaml")).efficiency)
+    _agrees(course.solve(loading.load(VARIANTS / "machine_train.yaml")).efficiency)
 
 
 def _agrees(found):

@@ -10,7 +10,7 @@ import pytest
 from conftest import solved
 from notes import VARIANTS, render
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.friction import solve as friction
 from tmm_report.chapters.lever.kinetostatics.solve.positions import at, stated
 from tmm_report.chapters.machine.dynamics import quantities as motion_quantities
@@ -27,7 +27,7 @@ ENGINE = (VARIANTS / "engine_four_stroke.yaml").read_text("utf-8")
 def press(power: str = "500 W", friction: str = FRICTION, more: str = "", rest: str = ""):
     text = CASE.read_text("utf-8").replace("400 W", power).replace(FRICTION, friction)
     return course.solve(
-        course.loads(text.replace("delta: 1/30,", f"delta: 1/30, {more}{', ' * bool(more)}") + rest)
+        loading.loads(text.replace("delta: 1/30,", f"delta: 1/30, {more}{', ' * bool(more)}") + rest)
     )
 
 
@@ -84,7 +84,7 @@ def test_a_mechanism_that_drives_gives_less_to_the_machine():
     of = {}
     for kept in (True, False):
         text = ENGINE if kept else ENGINE.replace("  delta: 1/80", "  friction: false\n  delta: 1/80")
-        of[kept] = course.solve(course.loads(text))
+        of[kept] = course.solve(loading.loads(text))
     (rubbed, free) = (of[key].flywheel for key in (True, False))
     assert rubbed.sides.balancing == free.sides.balancing == "resisting"
     assert rubbed.s.number("P_m") == pytest.approx(free.s.number("P_m"))  # of the gases
@@ -99,7 +99,7 @@ def test_friction_alone_is_a_load():
     """With weights alone nothing takes work but the pairs."""
     text = CASE.read_text("utf-8").split("loads:")[0]
     text += f"loads: {{}}\n{FRICTION}\nflywheel: {{delta: 1/30}}\n"
-    found = course.solve(course.loads(text))
+    found = course.solve(loading.loads(text))
     assert found.flywheel.s.number("P_m") == pytest.approx(found.lever.friction.mean_power)
     assert found.flywheel.sides.machine.friction_share == pytest.approx(100)
 
@@ -119,7 +119,7 @@ def test_corrected_reactions_give_the_friction_of_the_motion():
 
 
 def pump(more: str = "", text: str = PUMP):
-    return course.solve(course.loads(text.replace("dynamics:", f"dynamics:{more}", 1)))
+    return course.solve(loading.loads(text.replace("dynamics:", f"dynamics:{more}", 1)))
 
 
 def test_friction_slows_the_machine_and_stops_it_sooner():
@@ -150,7 +150,7 @@ dynamics:
   steady: false
   coast: {begin: 90 rpm, load: false}
 """
-    results = course.solve(course.loads(PUMP.split("\ndynamics:")[0] + text))
+    results = course.solve(loading.loads(PUMP.split("\ndynamics:")[0] + text))
     found, reduced = results.dynamics, results.lever.friction.unloaded
     assert found.coast.works.keys() >= {"pairs"} and found.coast.works["pairs"] < 0
     assert not {key for key in found.coast.works if key.startswith("P_")}
@@ -212,13 +212,13 @@ loads: {moments: [{on: 3, direction: against motion, constant: 20 N*m}]}
 friction: {pivots: {coefficient: 0.1, diameter: 30 mm}}
 flywheel: {delta: 1/30}
 """
-    found = course.solve(course.loads(text))
+    found = course.solve(loading.loads(text))
     assert found.lever.friction.reduced is None
     assert "left out: beside some position of the cycle the reactions grow without bound" in told(found)
     (doubt,) = [one for one in course.doubts(found) if "left out" in str(one)]
     assert "flywheel" in str(doubt)
     assert "flywheel_P_fr" not in wheel_quantities.book(found.flywheel).values
-    free = course.solve(course.loads(text.replace("1/30}", "1/30, friction: false}")))
+    free = course.solve(loading.loads(text.replace("1/30}", "1/30, friction: false}")))
     assert not [one for one in course.doubts(free) if "left out" in str(one)]
     assert free.flywheel.s.number("J_fl") == pytest.approx(found.flywheel.s.number("J_fl"))
 
@@ -238,7 +238,7 @@ flywheel: {delta: 1/30}
 )
 def test_a_machine_alone_has_no_pairs(text, wrong):
     with pytest.raises(ProblemError, match=wrong):
-        course.loads(text)
+        loading.loads(text)
 
 
 @pytest.mark.exhaustive

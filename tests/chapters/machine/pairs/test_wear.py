@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from notes import VARIANTS
 
-from tmm_report import course, note
+from tmm_report import course, loading, note
 from tmm_report.chapters.lever.kinetostatics.solve.positions import at, stated
 from tmm_report.chapters.machine.wear import quantities
 from tmm_report.chapters.machine.wear.given import Coefficient
@@ -25,7 +25,7 @@ OWN = "wear:\n  guides:\n    - {guide: x, length: 90 mm, width: 40 mm, cycles: 1
 
 
 def of(text: str):
-    return course.solve(course.loads(text)).wear
+    return course.solve(loading.loads(text)).wear
 
 
 def written(block: str, text: str = PUMP):
@@ -334,7 +334,7 @@ def test_a_guide_that_stands_upright_has_a_right_and_a_left_face():
 
 def complaint(text: str) -> list[tuple[str, str]]:
     with pytest.raises(ProblemError) as error:
-        course.solve(course.loads(text))
+        course.solve(loading.loads(text))
     return [(".".join(map(str, problem.path)), str(problem.wrong)) for problem in error.value.problems]
 
 
@@ -441,7 +441,7 @@ def test_the_number_of_parts_that_a_refusal_asks_for_is_enough():
 @pytest.mark.exhaustive
 def test_a_guide_that_does_not_wear_has_a_note_all_the_same():
     text = PUMP.split("\nbalancing:")[0] + "\n" + OWN.replace("1e-15", "{slider: 1e-15, guide: 0}")
-    made = note.render(course.solve(course.loads(text)), "html", Translator("en"))["note.html"].decode()
+    made = note.render(course.solve(loading.loads(text)), "html", Translator("en"))["note.html"].decode()
     assert "only the slider is replaced" in made
 
 

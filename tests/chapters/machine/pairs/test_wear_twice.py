@@ -6,7 +6,7 @@ import pytest
 from notes import VARIANTS
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.wear import equations, quantities
 from tmm_report.chapters.machine.wear.view import GuideView
 from tmm_report.i18n import Translator
@@ -32,7 +32,7 @@ TEXTS = {
 
 @pytest.fixture(params=TEXTS, scope="module")
 def found(request):
-    return course.solve(course.loads(TEXTS[request.param])).wear
+    return course.solve(loading.loads(TEXTS[request.param])).wear
 
 
 def test_every_formula_agrees_with_the_second_way(found):

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tmm_report import course
+from tmm_report import course, loading
 
 BOOM = (Path(__file__).parents[3] / "cases" / "explain" / "boom_by_cylinder.yaml").read_text("utf-8")
 TRAVEL = (
@@ -15,7 +15,7 @@ OWN = ", inertia: 0.07 kg*m^2"
 
 
 def doubts(text):
-    return {one.key: one.text() for one in course.loads("language: en\n" + text).doubts}
+    return {one.key: one.text() for one in loading.loads("language: en\n" + text).doubts}
 
 
 def test_masses_without_loads_have_their_effect_in_the_travel():
@@ -35,7 +35,7 @@ def test_a_link_that_turns_without_inertia_is_asked_about(inertia, asked):
 def test_the_inertia_is_in_the_motion():
     """Less of it goes faster: what is asked about matters."""
     ends = [
-        course.solve(course.loads(text)).travel.s.number("v_end")
+        course.solve(loading.loads(text)).travel.s.number("v_end")
         for text in (TRAVEL, TRAVEL.replace(OWN, ", inertia: 7 kg*m^2"))
     ]
     assert ends[0] > ends[1] * 1.001

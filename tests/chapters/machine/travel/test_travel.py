@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.problems import ProblemError
 from tmm_report.results import tables
 
@@ -22,12 +22,12 @@ BOOM = (Path(__file__).parents[3] / "cases" / "explain" / "boom_by_cylinder.yaml
 
 
 def travel(more: str, begin: float = 0.0, end: float = 0.4):
-    return course.solve(course.loads(SLIDER.format(begin=begin, end=end) + more)).travel
+    return course.solve(loading.loads(SLIDER.format(begin=begin, end=end) + more)).travel
 
 
 def told(text: str) -> ProblemError:
     with pytest.raises(ProblemError) as error:
-        course.solve(course.loads(text))
+        course.solve(loading.loads(text))
     return error.value
 
 
@@ -215,7 +215,7 @@ def _energies(phi, h=1e-5):
 
 def test_a_tipper_by_the_angle_of_its_body():
     """Lagrange's equation in φ, all by differences of the geometry: dynamics of another coordinate, code of our own."""
-    found = course.solve(course.loads(TIPPER)).travel
+    found = course.solve(loading.loads(TIPPER)).travel
     base = abs(A_)
     begin = np.angle(A_) + math.acos((R**2 + base**2 - 1.1**2) / (2 * R * base))
     assert _of_angle(begin)[1] == pytest.approx(1.1, rel=1e-12)
@@ -245,10 +245,10 @@ def test_along_the_stated_motion_the_needed_force_brings_that_motion():
         "accelerations: [[0.4 s, 0.375 m/s^2], [2.6 s, 0]]", "speed: 0.15 m/s, to: 1.52 m"
     )
     text = text.replace("{table: 12}", "{table: 120}") + "reduction: true\n"
-    reduced = course.solve(course.loads(text)).lever.translation.table
+    reduced = course.solve(loading.loads(text)).lever.translation.table
     points = ", ".join(f"[{s:.12g} m, {f:.12g} N]" for s, f in zip(reduced.s, reduced.needed, strict=True))
     found = course.solve(
-        course.loads(f"{text}travel:\n  speed: 0.15 m/s\n  driving: [{{by_place: [{points}]}}]\n")
+        loading.loads(f"{text}travel:\n  speed: 0.15 m/s\n  driving: [{{by_place: [{points}]}}]\n")
     ).travel
     assert found.v == pytest.approx(np.full(len(found.v), 0.15), rel=1e-3)
     assert found.s.number("t_end") == pytest.approx(0.42 / 0.15, rel=1e-4)
@@ -271,7 +271,7 @@ travel:
   to: 0.35 m
   driving: [{constant: 80 N}]
 """
-    found = course.solve(course.loads(text)).travel
+    found = course.solve(loading.loads(text)).travel
 
     def crank(s, h=1e-6):  # dφ/ds by the law of cosines
         def phi(x):
@@ -366,7 +366,7 @@ travel:
    springs: [{stiffness: 586 N/m, free: 400 mm}]}
 """
     with pytest.raises(ProblemError, match="does not move"):
-        course.solve(course.loads(text))
+        course.solve(loading.loads(text))
     assert not recwarn.list
 
 
@@ -374,7 +374,7 @@ def test_a_torsion_spring_among_the_loads_works_by_its_energy():
     """c/2 of the square of what is left to its free angle, which counts from position 0 of the stated motion; the angle
     of the boom by the theorem of cosines."""
     spring = "  torsion_springs: [{links: [1, 0], stiffness: 60 N*m/rad, free_angle: 10 deg}]\n"
-    variant = course.loads(BOOM.replace("  forces:\n", spring + "  forces:\n", 1))
+    variant = loading.loads(BOOM.replace("  forces:\n", spring + "  forces:\n", 1))
     found = course.solve(variant)
     works = next(table for table in tables(found) if table.name == "travel_works")
     by_name = dict(zip(works["acting"].values, works["A"].values, strict=True))

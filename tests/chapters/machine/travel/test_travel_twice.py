@@ -5,7 +5,7 @@ import pytest
 from conftest import solved
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 
 UNIFORM = """
 travel:
@@ -26,7 +26,7 @@ COASTS = "travel: {to: 0.5 m, mass: 4 kg, speed: 2 m/s}\n"
     "text", ["steam_hammer", UNIFORM, STOPS, COASTS], ids=["hammer", "uniform", "stops", "coasts"]
 )
 def test_every_formula_agrees_with_the_second_way(text):
-    found = (solved(text) if "\n" not in text else course.solve(course.loads(text))).travel
+    found = (solved(text) if "\n" not in text else course.solve(loading.loads(text))).travel
     assert disagreements(found.s, _ways(found)) == []
 
 

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from notes import VARIANTS
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.machine.vibration import quantities
 from tmm_report.mechanics.calculus import ode
 from tmm_report.mechanics.masses import vibration as vib
@@ -33,7 +33,7 @@ def integrated(body: Body, force, t, place=0.0, speed=0.0, **form):
 
 
 def vibration(text: str, alone: bool = True) -> course.Results:
-    return course.solve(course.loads("vibration:\n" + text if alone else text)).vibration
+    return course.solve(loading.loads("vibration:\n" + text if alone else text)).vibration
 
 
 MACHINE = "  mass: 400 kg\n  stiffness: 250 kN/m\n  force: 600 N\n  speed: 90 rad/s\n"
@@ -254,7 +254,7 @@ def shaken():
     own = (
         "vibration: {mass: 200 kg, isolators: 4, stiffness: 3 kN/m, damping_ratio: 0.2, mechanism: 30 deg}\n"
     )
-    return course.solve(course.loads(text + own))
+    return course.solve(loading.loads(text + own))
 
 
 def test_shaking_force_is_the_rate_of_the_momentum(shaken):
@@ -421,7 +421,7 @@ def test_infinite_values_stand_in_no_table():
 
 def complaint(text: str) -> list[tuple[str, str]]:
     with pytest.raises(ProblemError) as error:
-        course.solve(course.loads(text))
+        course.solve(loading.loads(text))
     return [(".".join(map(str, problem.path)), str(problem.wrong)) for problem in error.value.problems]
 
 

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tmm_report import course, note
+from tmm_report import course, loading, note
 from tmm_report.chapters.machine.vibration import quantities
 from tmm_report.i18n import Translator
 from tmm_report.problems import ProblemError
 
 
 def solved(text):
-    return course.solve(course.loads(f"vibration: {text}"))
+    return course.solve(loading.loads(f"vibration: {text}"))
 
 
 def value(found, key):

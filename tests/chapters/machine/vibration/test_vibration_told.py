@@ -8,7 +8,7 @@ import pytest
 from notes import VARIANTS
 from test_vibration import MACHINE, complaint, vibration
 
-from tmm_report import course, note
+from tmm_report import course, loading, note
 from tmm_report.chapters.machine.vibration import quantities
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.masses import vibration as vib
@@ -18,7 +18,7 @@ from tmm_report.problems import ProblemError
 
 def page(text: str) -> str:
     """The note without its tags."""
-    made = note.render(course.solve(course.loads(text)), "html", Translator("en"))["note.html"].decode()
+    made = note.render(course.solve(loading.loads(text)), "html", Translator("en"))["note.html"].decode()
     return re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", made))
 
 
@@ -111,6 +111,6 @@ def test_table_of_the_absorbers_has_the_machine_and_the_absorber_each_in_its_col
 @pytest.mark.parametrize("key", ["damper", "electromagnetic"])
 def test_an_electromagnetic_damper_is_told_to_be_a_viscous_one(key):
     with pytest.raises(ProblemError, match="every damper here is a viscous one"):
-        course.loads(
+        loading.loads(
             f"language: en\nvibration: {{mass: 10 kg, stiffness: 1 kN/m, {key}: {{electromagnetic: 3}}}}\n"
         )

@@ -7,7 +7,7 @@ import pytest
 from notes import VARIANTS
 from twice import disagreements
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.mechanics.masses import vibration as vib
 
 BASE = "vibration:\n  mass: 40 kg\n  isolators: 4\n  stiffness: 2 N/mm\n  speed: 600 rpm\n"
@@ -37,13 +37,13 @@ TEXTS = {
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_every_formula_agrees_with_the_second_way(name):
-    found = course.solve(course.loads(TEXTS[name])).vibration
+    found = course.solve(loading.loads(TEXTS[name])).vibration
     assert disagreements(found.s, _ways(found)) == []
 
 
 @pytest.mark.parametrize("name", ["locomotive_diesel", "forging_machine_wear"])
 def test_every_formula_of_a_ready_variant(name):
-    found = course.solve(course.load(VARIANTS / f"{name}.yaml")).vibration
+    found = course.solve(loading.load(VARIANTS / f"{name}.yaml")).vibration
     assert disagreements(found.s, _ways(found)) == []
 
 

@@ -9,7 +9,7 @@ import pytest
 from higher_checks import beside, jumps, unclosed
 from higher_schemes import drawn
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.mechanics.lever.assembly.stated import assemble
 from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
 from tmm_report.mechanics.lever.high_class.newton import HigherGroup, Run
@@ -87,7 +87,7 @@ mechanism:
   driver: {{link: 1, speed: 5, zero: {{angle: 60 deg}}}}
   sketch: {{A: [0.1, 0.1732], B: [0.7, 0.3232], C: [0.6, 0.1732], D: [0.9, 0.1732]}}
 """
-    return course.loads(text).lever.mechanism
+    return loading.loads(text).lever.mechanism
 
 
 def test_change_points_are_gone_over_straight_on():
@@ -134,7 +134,7 @@ mechanism:
   assembly: {{B: left of A-C}}
   sketch: {{A: [0.1, 0], B: {at(B)}, D: {at(D)}, Q: {at(Q)}, R: {at(R)}, S: {at(S)}}}
 """
-    return cycle_of(assemble(course.loads(text).lever.mechanism))
+    return cycle_of(assemble(loading.loads(text).lever.mechanism))
 
 
 @pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
@@ -188,7 +188,7 @@ def test_within_a_range_nothing_is_said_of_what_is_beyond():
 
 
 def test_position_0_at_an_extreme_lies_on_the_sheet():
-    made = course.load("variants/quick_return.yaml").lever.mechanism
+    made = loading.load("variants/quick_return.yaml").lever.mechanism
     assert isinstance(made.driver.zero, ZeroExtreme)
     found = cycle_of(assemble(made))
     assert found.critical[-1].run.whole and found.motion(np.zeros(1)).closes.all()

@@ -8,7 +8,7 @@ import pickle
 import numpy as np
 import pytest
 
-from tmm_report.course import loads
+from tmm_report.loading import loads
 from tmm_report.mechanics.lever.assembly.all_roots import assemblies
 from tmm_report.mechanics.lever.assembly.stated import assemble
 from tmm_report.mechanics.lever.cycle import cycle_of

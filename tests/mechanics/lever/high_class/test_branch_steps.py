@@ -11,7 +11,7 @@ import pytest
 
 sys.path.append(str(Path(__file__).parents[4]))
 from benchmarks.random_groups.draw import draw
-from tmm_report.course import loads
+from tmm_report.loading import loads
 from tmm_report.mechanics.lever.assembly.stated import assemble
 from tmm_report.mechanics.lever.cycle import cycle_of
 from tmm_report.mechanics.lever.high_class.branch.crossing import ahead

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from higher_checks import beside, jumps, limit_from, points_of, stepped, unclosed
 
-from tmm_report import course
+from tmm_report import loading
 from tmm_report.mechanics.lever.assembly.stated import assemble, ways
 from tmm_report.mechanics.lever.cycle import Cycle, cycle_of
 from tmm_report.mechanics.lever.mechanism import Mechanism, ZeroAngle
@@ -37,7 +37,7 @@ PIVOTS = [name for name in CASES if "-S" not in name]
 
 
 def mechanism(name: str) -> Mechanism:
-    return course.load(EDGES / f"{name}.yaml").lever.mechanism
+    return loading.load(EDGES / f"{name}.yaml").lever.mechanism
 
 
 def cycle(made: Mechanism) -> Cycle:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import yaml
 
-from tmm_report import course
+from tmm_report import course, loading
 from tmm_report.chapters.lever.kinetostatics.quantities import wheels as wheel_quantities
 from tmm_report.mechanics.lever.motion import solve as motion_at
 
@@ -284,7 +284,7 @@ CASES = [(kind, seed) for kind in KINDS for seed in range(8)]
 def test_at_random(kind, seed):
     rng = np.random.default_rng(1000 + seed)
     made = finished(kind(rng), rng)
-    found = course.solve(course.loads(text(made))).lever
+    found = course.solve(loading.loads(text(made))).lever
     motion, forces = found.kinematics.table, found.kinetostatics
     assert forces.worst_lever < 1e-9 and forces.worst_power < 1e-9
     for one in (
@@ -351,7 +351,7 @@ def test_at_random(kind, seed):
 def test_the_rail_bears_what_the_guide_of_the_axle_does(seed):
     rng = np.random.default_rng(seed)
     made = finished(rolls(rng, teeth=False), rng)
-    found = course.solve(course.loads(text(made))).lever.kinetostatics
+    found = course.solve(loading.loads(text(made))).lever.kinetostatics
     (wheel,) = wheel_quantities.rolling(found)
     solved = found.table
     normal, friction = (

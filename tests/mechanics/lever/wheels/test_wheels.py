@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from tmm_report import course
+from tmm_report import course, loading
 
 G = 9.81
 
@@ -137,7 +137,7 @@ def statics(d, phi):
 @pytest.mark.parametrize("seed", range(24))
 def test_geared_five_bar_at_random(seed):
     text, d = five_bar(np.random.default_rng(seed))
-    found = course.solve(course.loads(text)).lever
+    found = course.solve(loading.loads(text)).lever
     motion, forces = found.kinematics.table, found.kinetostatics
     assert forces.worst_lever < 1e-9 and forces.worst_power < 1e-9
     for k in (0, 3, 7):
@@ -186,7 +186,7 @@ positions: {table: 12}
 
 @pytest.fixture(scope="module")
 def chain():
-    return course.solve(course.loads(CHAIN)).lever
+    return course.solve(loading.loads(CHAIN)).lever
 
 
 def test_a_rocker_turns_a_pinion_an_idler_and_a_rack_in_fixed_ratios(chain):
