@@ -110,7 +110,8 @@ document.fonts.ready.then(() => {
   const seen = e => !e.closest("svg, .sheet") && (e.localName === "math" || !e.closest("math"));
   const wide = all("main *").filter(e => seen(e) && outside(e.getBoundingClientRect()));
   const maths = all(".formula math:not(.again)").map(e => [e.outerHTML, e.getBoundingClientRect().width / size(e)]);
-  return {text: main.width, wide: wide.map(e => e.outerHTML.slice(0, 200)), maths};
+  const drawn = all("figure svg").map(e => [e.getAttribute("width"), e.getBoundingClientRect().width]);
+  return {text: main.width, wide: wide.map(e => e.outerHTML.slice(0, 200)), maths, drawn};
 })
 """
 
@@ -125,14 +126,18 @@ def in_print(quick: bool) -> dict[str, dict[str, Any]]:
         return {name: laid_out(talk, Path(folder) / "note.html", make()) for name, make in chosen.items()}
 
 
-def laid_out(talk: Talk, file: Path, content: bytes) -> dict[str, Any]:
+def laid_out(talk: Talk, file: Path, content: bytes, width: float = 165) -> dict[str, Any]:
+    """`width`: of the text of the page, mm."""
     file.write_bytes(content)
-    target = talk.ask("Target.createTarget", url="about:blank", width=TEXT, height=1200, newWindow=True)
+    pixels = round(width * 96 / 25.4)
+    target = talk.ask("Target.createTarget", url="about:blank", width=pixels, height=1200, newWindow=True)
     talk.session = talk.ask("Target.attachToTarget", **target, flatten=True)["sessionId"]
     talk.events.clear()
     talk.ask("Page.enable")
     talk.ask("Emulation.setEmulatedMedia", media="print")
-    talk.ask("Emulation.setDeviceMetricsOverride", width=TEXT, height=1200, deviceScaleFactor=1, mobile=False)
+    talk.ask(
+        "Emulation.setDeviceMetricsOverride", width=pixels, height=1200, deviceScaleFactor=1, mobile=False
+    )
     talk.ask("Page.navigate", url=file.as_uri())
     talk.wait_for("Page.loadEventFired")
     found = talk.ask("Runtime.evaluate", expression=IN_PRINT, awaitPromise=True, returnByValue=True)

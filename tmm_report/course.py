@@ -24,6 +24,7 @@ from tmm_report.chapters.title.pieces import Depth as Depth
 from tmm_report.languages import DEFAULT, DecimalSign
 from tmm_report.mechanics.lever.mechanism import Mechanism
 from tmm_report.problems import N_, Message, Problem, ProblemError
+from tmm_report.profiles import Profile
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -153,6 +154,7 @@ class Variant:
     eccentric: eccentric.Given | None = None
     title: Title = field(default_factory=Title)
     note: Note = field(default_factory=Note)
+    profile: Profile | None = None  # how the note looks on paper; None: as the standard has it
     language: str = DEFAULT  # a code of the table of languages
     decimal_sign: DecimalSign = "comma"
     places: Mapping[tuple[str | int, ...], tuple[int, int]] = field(default_factory=dict, repr=False)
@@ -188,9 +190,8 @@ class LeverFound:
         forces = self.force_plans.drawn if self.force_plans is not None else ()
         if drawn := forces or self.plans.drawn:
             return drawn[0].position
-        found = self.kinematics
-        lost = (*found.singular, *found.missing)
-        return next((k for k in range(len(found.turned)) if k not in lost), 0)
+        lost = (*self.kinematics.singular, *self.kinematics.missing)
+        return next((k for k in range(len(self.kinematics.turned)) if k not in lost), 0)
 
     @property
     def partial(self) -> bool:
@@ -346,8 +347,7 @@ def solve_lever(
 
 def _readings(found: LeverFound) -> readings.ReadingsFound:
     """A student may have read any number of the chapters before; structure has no table by positions."""
-    before = ((name, getattr(found, name)) for name in LEVER if name != "structure")
-    known = ((name, one) for name, one in before if one is not None)
+    known = ((name, one) for name in LEVER[1:] if (one := getattr(found, name)) is not None)
     tables = ((name, table) for name, one in known for table in room(name, "quantities").tables(one))
     return readings.solve(found.given.readings, found.plans, tables)
 
@@ -357,7 +357,7 @@ def _readings(found: LeverFound) -> readings.ReadingsFound:
 INITIAL_DATA = "initial_data"  # what a lever mechanism is given, at the head of its chapters
 LEVER = tuple(record.name for record in fields(LeverFound) if record.name not in ("given", "sprung"))
 OTHERS = tuple(record.name for record in fields(Results) if record.name not in ("variant", "lever"))
-"""The chapters beside the lever's: the key of such a chapter's block is its name."""
+BESIDE = (*OTHERS, "profile")  # keys of blocks that most files do without, named as their chapters are
 BEFORE = ("find", "synthesis")  # what stands in the note before the lever mechanism, of the others
 GEARS = ("spur", "planetary", "ordinary", "train", "drive", "eccentric")  # three kinds of stages first
 

@@ -9,7 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from tmm_report import yamlread
-from tmm_report.course import LEVER, OTHERS, LeverGiven, Variant, gears_unsolvable, lever_unsolvable, room
+from tmm_report.course import BESIDE, LEVER, LeverGiven, Variant, gears_unsolvable, lever_unsolvable, room
 from tmm_report.languages import stated_in
 from tmm_report.problems import Problem, ProblemError
 
@@ -50,7 +50,7 @@ def _rooms() -> Rooms:
     """The blocks of all chapters; that of a gear chapter is loaded only for a file that has it."""
     from tmm_report.variant.model import Rooms
 
-    beside = {name: partial(room, name, "block") for name in OTHERS}
+    beside = {name: partial(room, name, "block") for name in BESIDE}
     return Rooms([room(name, "block") for name in ("title", *LEVER)], beside)
 
 
@@ -63,7 +63,7 @@ def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Var
         found = _geared(found, document, file)
     made = Variant(
         lever=LeverGiven(**_given(LEVER, found)) if stated(found) else None,
-        **_given(["title", *(name for name in OTHERS if name in found.data)], found),
+        **_given(["title", *(name for name in BESIDE if name in found.data)], found),
         places=document.places,
         file=file,
         doubts=found.doubts,

@@ -29,7 +29,13 @@ def render(results: Results, fmt: str, tr: Translator, depth: Depth | None = Non
     if depth is not None:
         note = replace(note, depth=depth)
     return render_parts(
-        lambda page: list(parts(results, page)), title, fmt, tr, tuple(_undone(results)), note
+        lambda page: list(parts(results, page)),
+        title,
+        fmt,
+        tr,
+        tuple(_undone(results)),
+        note,
+        results.variant.profile,
     )
 
 

@@ -38,6 +38,7 @@ from faults import Fault  # noqa: E402
 from plants import cams as faults_cams  # noqa: E402
 from plants import gears as faults_gears  # noqa: E402
 from plants import note as faults_depth  # noqa: E402
+from plants import paper as faults_paper  # noqa: E402
 from plants import stages as faults_stages  # noqa: E402
 
 FAULTS = (
@@ -47,6 +48,7 @@ FAULTS = (
     *faults_cams.FAULTS,
     *faults_note.FAULTS,
     *faults_depth.FAULTS,
+    *faults_paper.FAULTS,
     *faults_gears.FAULTS,
     *faults_stages.FAULTS,
     *faults_edges.FAULTS,

@@ -15,7 +15,7 @@ from tmm_report import course, loading
 from tmm_report.variant.model import Block
 
 RECORDS = {"title": course.Variant, **dict.fromkeys(course.LEVER, course.LeverGiven)}
-RECORDS |= dict.fromkeys(course.OTHERS, course.Variant)
+RECORDS |= dict.fromkeys(course.BESIDE, course.Variant)
 OWN = ("lever", "places", "file", "doubts")  # of the variant itself
 
 

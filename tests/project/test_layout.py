@@ -38,6 +38,7 @@ SHARED = (
 )  # printed after the lever mechanism, but its rooms are those of the mechanism's cam pairs, too
 LATER = tuple(name for name in AFTER if name not in SHARED)
 ORDER = ("title", *course.BEFORE, *SHARED, course.INITIAL_DATA, *course.LEVER, *STAGES, *LATER)  # of the note
+ASIDE = ("profile",)  # a block of which no page tells
 FOUND = (*course.LEVER, *STAGES, *course.OTHERS)
 WINGS = ("cams", "lever", "gears", "machine")
 OPEN = ("given", "solve", "quantities")  # rooms of a chapter that later chapters may enter
@@ -163,7 +164,7 @@ def test_no_folder_of_code_holds_more_than_sixteen_files():
 
 def test_every_folder_of_chapters_is_a_chapter_of_the_note():
     files = [*CHAPTERS.glob("*/__init__.py"), *CHAPTERS.glob("*/*/__init__.py")]
-    assert {file.parent.name for file in files} == {*ORDER, *WINGS}
+    assert {file.parent.name for file in files} == {*ORDER, *WINGS, *ASIDE}
     assert not [file for file in files if file.read_text("utf-8").count("import")]
 
 

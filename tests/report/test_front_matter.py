@@ -87,7 +87,7 @@ def note() -> str:
 def test_what_stands_in_front_comes_before_the_chapters(note):
     heads = [words(head) for head in re.findall(r"<h1[^>]*>(.*?)</h1>", note, re.DOTALL)]
     assert heads[:3] == ["Содержание", "Перечень обозначений", "Введение"]
-    assert heads[-2:] == ["Заключение", "Список литературы"]
+    assert heads[-2:] == ["Заключение", "Список использованных источников"]
     contents = [words(line) for line in re.findall(r'<p class="level1">(.*?)</p>', note)]
     assert contents == heads[1:]
 

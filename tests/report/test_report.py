@@ -21,8 +21,9 @@ from tmm_report.note import render
 from tmm_report.report.formats import Html, Tex, tex_escape
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, environment
-from tmm_report.report.paper.layout import TEXT_WIDTH, Column, numeric, worded
+from tmm_report.report.paper.layout import Column, numeric, worded
 from tmm_report.report.paper.lines import pieces
+from tmm_report.report.paper.sheets import USUAL
 from tmm_report.report.sources import SOURCES
 
 HOSTILE = '</p><script>alert(1)</script> \\input{/etc/passwd} {{ 7*7 }} {% raw %} 100% & $x^2$ #1 a_b ~ "q"'
@@ -173,7 +174,7 @@ def test_symbol_is_explained_once():
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("kind", ["Рисунок", "Таблица"])
 def test_figures_and_tables_are_numbered_without_gaps(name, kind):
-    numbers = [int(n) for n in re.findall(rf"{kind} (\d+) –", html(name))]
+    numbers = [int(n) for n in re.findall(rf"{kind} (\d+) —", html(name))]
     assert numbers == list(range(1, len(numbers) + 1))
     assert len(numbers) > (7 if results(name).lever else 0)
 
@@ -216,12 +217,12 @@ def test_wide_table_is_cut_and_loses_nothing(count):
     parts = numeric("x", Column("n", ["0", "1"]), columns).parts
     assert [head for part in parts for head in part.head if head != "n"] == [c.head for c in columns]
     assert all(part.head[0] == "n" and sum(part.shares) <= 1 for part in parts)
-    assert all(share * TEXT_WIDTH > 1.86 * 7 for part in parts for share in part.shares[1:])
+    assert all(share * USUAL.width > 1.86 * 7 for part in parts for share in part.shares[1:])
 
 
 def test_table_of_words_is_as_wide_as_the_page_and_breaks_no_head():
     (part,) = worded("x", ["Обозначение", "b"], [["1", "2"]], (1, 20)).parts
-    assert sum(part.shares) == pytest.approx(1) and part.shares[0] * TEXT_WIDTH > 11 * 2
+    assert sum(part.shares) == pytest.approx(1) and part.shares[0] * USUAL.width > 11 * 2
 
 
 def test_latex_formula_is_cut_only_outside_brackets():

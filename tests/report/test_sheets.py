@@ -14,11 +14,11 @@ from notes import program
 from tmm_report.commands.pdf import compile_pdf
 from tmm_report.figures.drawing import Drawing, line
 from tmm_report.i18n import Translator
+from tmm_report.profiles import NAMES, shipped
 from tmm_report.report.formats import Html, Tex
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
-from tmm_report.report.paper.sheets import CAPTION, PAGE, SHEETS, fits, percent, sheet_of
-from tmm_report.resources import data_root
+from tmm_report.report.paper.sheets import CAPTION, USUAL, Paper
 
 SIZES = st.tuples(st.floats(1, 1200), st.floats(1, 1200))
 
@@ -36,26 +36,36 @@ def across(size: float, tall: float = 0.0) -> Drawing:
     ],
 )  # fmt: skip
 def test_the_smallest_sheet_that_holds_a_picture(size, name):
-    assert sheet_of(size).name == name and percent(size) == 100
+    assert USUAL.sheet_of(size).name == name and USUAL.percent(size) == 100
 
 
 def test_what_the_text_holds_stands_in_it():
-    assert sheet_of(PAGE) is None and fits(PAGE) and sheet_of((10.0, 229.0)) is not None
+    assert USUAL.page == (165.0, 228.0) and USUAL.sheet_of(USUAL.page) is None and USUAL.fits(USUAL.page)
+    assert USUAL.sheet_of((10.0, 229.0)) is not None
 
 
 @given(SIZES)
 def test_only_what_no_sheet_holds_is_reduced(size):
-    sheet = sheet_of(size)
-    held = fits(size) or any(one.holds(size) for one in SHEETS)
-    assert (percent(size) == 100) == held
+    sheet = USUAL.sheet_of(size)
+    held = USUAL.fits(size) or any(one.holds(size) for one in USUAL.sheets)
+    assert (USUAL.percent(size) == 100) == held
     if not held:
-        share = percent(size) / 100
+        share = USUAL.percent(size) / 100
         assert size[0] * share <= sheet.field[0] and size[1] * share <= sheet.field[1] - CAPTION
 
 
-def test_the_style_sheet_has_the_same_sheets():
-    style = (data_root() / "templates" / "style.css").read_text("utf-8")
-    for sheet in SHEETS:
+@pytest.mark.parametrize("name", NAMES)
+def test_the_style_of_a_note_has_the_sheets_of_its_profile(name):
+    """Margins of the style and room of the pictures are found apart: they leave the same of the paper."""
+    page = Page(Html(), Translator("en"), Numbering(), profile=shipped(name))
+    style = template("profile.css.j2").render(page=page)
+    margins, paper = shipped(name).margins, Paper(shipped(name).margins, shipped(name).text)
+    above, right, below, left = map(
+        float, re.search(r"@page \{\s*margin: (\S+)mm (\S+)mm (\S+)mm (\S+)mm", style).groups()
+    )
+    assert (left, right, above, below) == (margins.left, margins.right, margins.top, margins.bottom)
+    assert paper.page[0] == 210 - left - right and paper.page[1] < 297 - above - below
+    for sheet in paper.sheets:
         size = re.search(
             rf"@page {sheet.name} \{{ size: (\d+)mm (\d+)mm; margin: (\d+)mm (\d+)mm (\d+)mm (\d+)mm", style
         )
@@ -63,6 +73,8 @@ def test_the_style_sheet_has_the_same_sheets():
         assert (wide, tall) == (sheet.wide, sheet.tall) and (left, above) == sheet.corner
         assert (wide - left - right, tall - above - below) == sheet.field
         assert f".{sheet.name} {{ page: {sheet.name}; width: {sheet.field[0]:g}mm" in style
+        turned = sheet.name == "a4"
+        assert (above, below) == ((margins.left, margins.right) if turned else (margins.top, margins.bottom))
 
 
 # --- HTML

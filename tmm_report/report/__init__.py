@@ -14,7 +14,8 @@ from typing import Any
 from markupsafe import Markup
 
 from tmm_report.i18n import Translator
-from tmm_report.problems import N_, Message
+from tmm_report.problems import Message
+from tmm_report.profiles import Profile
 from tmm_report.report.formats import Html, Png, Tex
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
@@ -32,12 +33,14 @@ def render(
     tr: Translator,
     undone: Sequence[Message] = (),
     note: Note = WHOLE,
+    profile: Profile | None = None,
 ) -> dict[str, bytes]:
     """File name -> content: "note.html" alone, "note.tex" with the figures it reads, or the figures as pictures.
 
-    `undone`: what was asked and is not in the note; the conclusions begin with it. `note`: how much it says.
+    `undone`: what was asked and is not in the note; the conclusions begin with it. `note`: how much it says;
+    `profile`: how it looks on paper.
     """
-    page = Page(FORMATS[fmt](), tr, Numbering(), note)
+    page = Page(FORMATS[fmt](), tr, Numbering(), note, profile)
     parts = make(page)
     text = _written(_given(title, page), parts, page, undone)
     return page.form.files if fmt == "png" else {f"note.{fmt}": text.encode(), **page.form.files}
@@ -66,7 +69,7 @@ def _written(given: Mapping[str, Any], parts: Sequence[Part], page: Page, undone
     head = chapter("title")
     text = template(f"report.{fmt}.j2").render(given, head=head, body=body, **_own_files(fmt))
     text = page.numbering.resolved(text, page.note.whole)
-    return joined(text, fmt, page.t(N_("where")), page.t(N_("Here")))
+    return joined(text, fmt, page.called("where"), page.called("here"), page.profile.dash_sign)
 
 
 def _conclusions(parts: Sequence[Part]) -> list[Markup]:

@@ -22,8 +22,7 @@ from tmm_report.records import dataclass
 from tmm_report.report.paper.layout import Cell, Words
 from tmm_report.report.paper.lines import broken, finer, pieces
 from tmm_report.report.paper.measure import breakable
-from tmm_report.report.paper.sheets import CAPTION, Sheet, percent, sheet_of
-from tmm_report.report.paper.sheets import PAGE as PAGE
+from tmm_report.report.paper.sheets import CAPTION, USUAL, Paper, Sheet
 
 
 class Mathematics(Protocol):
@@ -45,6 +44,7 @@ class Html:
 
     name = "html"
     breaking: bool = False
+    paper: Paper = USUAL
     files: dict[str, bytes] = field(default_factory=dict)
     waiting: list[tuple[Sheet | None, float, Markup]] = field(default_factory=list)
 
@@ -63,7 +63,7 @@ class Html:
         return cell if isinstance(cell, Markup) else self.escape(str(cell))
 
     def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
-        text, share = broken(item.mathml(tr)) if display else (item.mathml(tr), 1.0)
+        text, share = broken(item.mathml(tr), self.paper.line) if display else (item.mathml(tr), 1.0)
         return Markup(text if share == 1 else f'<span style="font-size:{100 * share:.0f}%">{text}</span>')
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
@@ -71,7 +71,7 @@ class Html:
 
     def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
         """A figure with its caption where it stands: in the text, or behind those that wait."""
-        sheet = sheet_of(picture.size)
+        sheet = self.paper.sheet_of(picture.size)
         if sheet is None and not self.waiting:
             return figure
         self.waiting.append((sheet, picture.size[1] + CAPTION, figure))
@@ -116,6 +116,7 @@ class Tex:
     """`files`: the figures that note.tex reads, by their names beside it."""
 
     name = "tex"
+    paper: Paper = USUAL
     files: dict[str, bytes] = field(default_factory=dict)
 
     def escape(self, text: str) -> Markup:
@@ -126,7 +127,8 @@ class Tex:
 
     def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
         text = item.latex(tr)
-        return Markup("".join(map(_displayed, pieces(text))) if display else f"${text}$")
+        line = self.paper.line
+        return Markup("".join(_displayed(one, line) for one in pieces(text)) if display else f"${text}$")
 
     def apart(self, write: Callable[[], Markup]) -> Markup:
         return write()
@@ -135,20 +137,20 @@ class Tex:
         name = f"figures/{anchor}.tex"
         self.files[name] = tikz(_drawing(picture)).encode()
         command = f"\\input{{{name}}}"
-        size = percent(picture.size) / 100
+        size = self.paper.percent(picture.size) / 100
         return Markup(f"\\scalebox{{{size}}}{{{command}}}" if size < 1 else command)
 
     def sheet(self, picture: Drawing | Graph) -> Markup:
         """Of a picture on a sheet of its own: width and height of the paper and of what is printed on it, margins to
         the left and above."""
-        found = sheet_of(picture.size)
+        found = self.paper.sheet_of(picture.size)
         sizes = () if found is None else (found.wide, found.tall, *found.field, *found.corner)
         return Markup("".join(f"{{{size:g}mm}}" for size in sizes))
 
 
-def _displayed(piece: str) -> str:
+def _displayed(piece: str, line: float) -> str:
     """A piece of a formula for TeX to break before: where it is too long, at its products, too."""
-    first, *others = finer(piece)
+    first, *others = finer(piece, line)
     factors = [f"\\NoteTimes{{{other.removeprefix(_DOT)}}}" for other in others]
     return "".join([f"\\NotePiece{{{first}}}", *factors])
 

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
+from tmm_report.profiles import Numbers, shipped
 from tmm_report.records import dataclass
 
 
@@ -49,14 +50,15 @@ class Appendix:
 class Numbering:
     """Counts as the templates are rendered, once.
 
-    Figures and tables are numbered through, formulas by chapter. An anchor is made of kind and number alone, so
-    that nothing a user wrote gets into it. What comes later than it is referred to is marked in the text and put in
-    by `resolved`; a mark is letters and digits, which every format leaves as they are, and begins with a secret of
-    this note's, so that no text of a user's is taken for one.
+    Figures, tables and formulas are numbered through or by chapter, as the `scheme` has it. An anchor is made of
+    kind and number alone, so that nothing a user wrote gets into it. What comes later than it is referred to is
+    marked in the text and put in by `resolved`; a mark is letters and digits, which every format leaves as they
+    are, and begins with a secret of this note's, so that no text of a user's is taken for one.
     """
 
     places: dict[str, Place] = field(default_factory=dict)
     sections: list[Section] = field(default_factory=list)
+    scheme: Numbers = field(default_factory=lambda: shipped().numbers)
     _awaited: dict[str, Place] = field(default_factory=dict)
     _secret: str = field(default_factory=lambda: f"later{token_hex(16)}")
     _counts: dict[Hashable, int] = field(default_factory=dict)
@@ -119,7 +121,7 @@ class Numbering:
         if self._appendix:
             letter = self._appendix.head.place.number
             number = f"{letter}.{self._next((kind, letter))}"
-        elif kind != "formula":
+        elif self.scheme.through(kind):
             number = str(self._next(kind))
         else:
             chapter = self.sections[-1].place.number.split(".")[0] if self.sections else "0"

@@ -22,6 +22,7 @@ from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message
+from tmm_report.profiles import Profile, filled, shipped
 from tmm_report.quantity.formula import Formula, Inline, Var
 from tmm_report.quantity.model import Column, Table, Value
 from tmm_report.quantity.ref import Ref
@@ -31,10 +32,10 @@ from tmm_report.quantity.written import Equation, explained
 from tmm_report.report import diagrams
 from tmm_report.report.bytecode import bytecode_cache
 from tmm_report.report.formats import Format
-from tmm_report.report.numbering import Appendix, Numbering
+from tmm_report.report.numbering import Appendix, Numbering, Place
 from tmm_report.report.paper import layout
 from tmm_report.report.paper.layout import Cell, Words
-from tmm_report.report.paper.sheets import percent
+from tmm_report.report.paper.sheets import Paper
 from tmm_report.report.part import WHOLE, Note
 from tmm_report.report.sources import SOURCES
 from tmm_report.report.symbol_list import SymbolList
@@ -114,9 +115,19 @@ def _indexed(value: Any) -> Any:
 class Page:
     """What templates call: text, mathematics and numbers in one format and one language."""
 
-    def __init__(self, form: Format, tr: Translator, numbering: Numbering, note: Note = WHOLE):
-        """`note`: how much the note says."""
+    def __init__(
+        self,
+        form: Format,
+        tr: Translator,
+        numbering: Numbering,
+        note: Note = WHOLE,
+        profile: Profile | None = None,
+    ):
+        """`note`: how much the note says; `profile`: how it looks, by default as the standard has it."""
         self.form, self.tr, self.numbering, self.note = form, tr, numbering, note
+        self.profile = profile or shipped()
+        self.form.paper = Paper(self.profile.margins, self.profile.text)
+        self.numbering.scheme = self.profile.numbers
         self.appendices: list[Appendix] = []
         self.symbols = SymbolList()
         self.cited: list[str] = []
@@ -148,6 +159,20 @@ class Page:
     def text(self, value: Any) -> Markup:
         """Anything for output: Markup as it is, other text escaped for the format."""
         return value if isinstance(value, Markup) else self.form.escape(str(value))
+
+    def called(self, name: str, **values: Any) -> Markup:
+        """A word of the note as its profile has it, with what is put into it: "figure", n and title."""
+        template = self.profile.word(name, self.tr.language)
+        return Markup("".join(map(self.text, filled(template, values))))
+
+    def parts(self, table: layout.Table) -> Sequence[layout.Part]:
+        """A table cut to the width of the page."""
+        return table.cut(self.form.paper)
+
+    def caption(self, place: Place, title: Any, first: bool, last: bool = False) -> Markup:
+        """Of a table, or of a part of it behind the first."""
+        name = "table" if first else "last" if last else "continued"
+        return self.called(name, n=place.number, title=title)
 
     def on_one_line(self, text: str) -> Markup:
         """Text that stands where no markup is read."""
@@ -256,7 +281,7 @@ class Page:
 
     def percent(self, picture: Drawing | Graph) -> int:
         """To how many per cent a picture is reduced that no sheet holds; 100: it is not."""
-        return percent(picture.size)
+        return self.form.paper.percent(picture.size)
 
     def scales(self, picture: Drawing | Graph) -> Markup:
         """What goes on a caption: what 1 mm along the axes of the picture stands for."""

@@ -184,7 +184,7 @@ def _name(value: object) -> str:
     raise WrongValue(wrong, Message(N_("letters, digits and ', at most 12, for example A or S2")))
 
 
-def _free_text(value: object) -> str:
+def free_text(value: object) -> str:
     if not isinstance(value, str | int | float):
         raise WrongValue(Message(N_("a text is expected here")))
     text = " ".join(str(value).split())
@@ -339,8 +339,8 @@ Reading = Annotated[
     tuple[float, str], Reads(units.measured, {"type": ["number", "string"], "examples": ["4.44 m/s"]})
 ]
 PositionKey = Annotated[str, Field(pattern=r"^[0-9]{1,3}$")]
-Text = Annotated[str, Reads(_free_text, {"type": ["string", "number", "boolean", "null"], "maxLength": 200})]
-Label = Annotated[str, Reads(_free_text, {"type": ["string", "number"], "maxLength": 200})]
+Text = Annotated[str, Reads(free_text, {"type": ["string", "number", "boolean", "null"], "maxLength": 200})]
+Label = Annotated[str, Reads(free_text, {"type": ["string", "number"], "maxLength": 200})]
 
 Flag = Annotated[bool, Reads(_flag, {"type": "boolean"})]
 

@@ -270,6 +270,8 @@ NAMED: Mapping[str, Sequence[Any]] = {
     "NoteModel.body": ("kinematics.contours", "plans"),
     "NoteModel.appendix": ("kinematics", "balancing.left"),
     "NoteModel.omit": ("structure.driving_links", "flywheel"),
+    "NoteProfileModel.language": ("ru", "uk", "kk"),
+    "NoteProfileModel.words": ("ru", "kk", "en"),
 }
 
 SIZED: Mapping[str, tuple[int, int]] = {

@@ -142,7 +142,7 @@ class Walk:
         inner = (
             next(iter(schema.get("patternProperties", {}).values()), None) or schema["additionalProperties"]
         )
-        known = self._known(where.rsplit(".", 1)[-1]) or ["A", "B2", "Ж"]
+        known = NAMED.get(where) or self._known(where.rsplit(".", 1)[-1]) or ["A", "B2", "Ж"]
         keys = self.random.sample(list(known), min(len(known), self.random.randint(1, 2)))
         return {key: self.value(inner, where) for key in keys}
 

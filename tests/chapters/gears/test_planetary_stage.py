@@ -26,7 +26,7 @@ from tmm_report.problems import ProblemError
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
-from tmm_report.report.paper.sheets import fits
+from tmm_report.report.paper.sheets import USUAL
 
 SINGLE = {
     "kind": "planetary",
@@ -221,7 +221,7 @@ def test_the_picture_is_true_to_scale(found):
     for values in (found.sizes.trimmed, found.sizes.working):
         for wheel in wheels:
             assert round(float(values[wheel]) / 2 * mm, 6) in circles
-    assert fits(drawing.size)
+    assert USUAL.fits(drawing.size)
     assert svg(drawing).count("<circle") > 2 * found.satellites
 
 

@@ -12,7 +12,7 @@ from tmm_report.chapters.gears.spur.solve.mesh import ROUND, TALL, round_scale
 from tmm_report.figures.drawing import DASHED, Arc, Circle, Path, Text
 from tmm_report.mechanics.calculus.polygons import clearance
 from tmm_report.quantity.text import number
-from tmm_report.report.paper.sheets import percent, sheet_of
+from tmm_report.report.paper.sheets import USUAL
 
 GIVEN = {
     "reference": spur.Given(-2, 0.006, 0.130, wheels=("4", "5")),
@@ -79,7 +79,7 @@ def test_the_drawing_letters_what_the_rule_needs(found):
     for name in ("K1", "K2", "T"):
         at = found.mesh.length(way(found, name)) * found.mesh.along
         assert min(abs(z - at) for z in dots) < 1e-9
-    assert sheet_of(drawing.size) is None or percent(drawing.size) == 100
+    assert USUAL.sheet_of(drawing.size) is None or USUAL.percent(drawing.size) == 100
 
 
 def test_each_arc_of_the_rule_is_about_its_own_axis_and_ends_in_t(found):

@@ -11,7 +11,7 @@ from reading import CHOSEN, drawings, wrong
 
 from tmm_report.figures.drawing import Circle, Drawing, Item, Path, Text
 from tmm_report.figures.lettering import tex_parts
-from tmm_report.report.paper.sheets import percent
+from tmm_report.report.paper.sheets import USUAL
 
 SLACK = 0.15  # mm: lettering may touch its neighbour by so much
 NARROW = (
@@ -97,7 +97,7 @@ def test_no_line_goes_through_a_label(name):
 
 @pytest.mark.parametrize("name", CHOSEN)
 def test_every_drawing_is_on_a_sheet_at_its_full_size(name):
-    wrong([f"{a} is reduced: {d.size}" for a, d in drawings(name).items() if percent(d.size) < 100])
+    wrong([f"{a} is reduced: {d.size}" for a, d in drawings(name).items() if USUAL.percent(d.size) < 100])
 
 
 @pytest.mark.parametrize("name", CHOSEN)

@@ -1,9 +1,10 @@
-"""How a table of the note is cut into parts that fit the width of an A4 page."""
+"""How a table of the note is cut into parts that fit the width of the page: when it is printed, as the note's profile
+says how wide that is."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
 from markupsafe import Markup
@@ -11,10 +12,8 @@ from markupsafe import Markup
 from tmm_report.quantity.ref import Ref
 from tmm_report.records import dataclass
 from tmm_report.report.paper.measure import whole, widest_word
+from tmm_report.report.paper.sheets import USUAL, Paper
 
-TEXT_WIDTH = 165.0  # mm, of A4 between margins of 30 and 15 mm
-EM = 3.73  # mm: of a table's letters
-PADDING = 3.6  # mm: both margins of a cell and its line
 WHOLE = 20  # rows: a longer table may be cut by the end of a page
 
 
@@ -48,10 +47,9 @@ class Column(NamedTuple):
     head: Any
     cells: Sequence[str]
 
-    @property
-    def width(self) -> float:
+    def width(self, paper: Paper) -> float:
         """mm, no word of the head and no number being broken."""
-        return _least(self.head, self.cells)
+        return _least(self.head, self.cells, paper)
 
 
 @dataclass(frozen=True)
@@ -70,8 +68,13 @@ class Part:
 @dataclass(frozen=True)
 class Table:
     caption: Any
-    parts: Sequence[Part]
+    cut: Callable[[Paper], Sequence[Part]]
     words: bool = False  # of text: as wide as the page
+
+    @property
+    def parts(self) -> Sequence[Part]:
+        """On the usual paper."""
+        return self.cut(USUAL)
 
 
 def worded(
@@ -84,18 +87,21 @@ def worded(
     head, lines, shares = _told(head, [list(row) for row in rows], shares)
     lines = _aligned(lines)
     columns = list(zip(*lines, strict=True)) or [()] * len(head)
-    least = [_least(name, cells) for name, cells in zip(head, columns, strict=True)]
-    blocks = _blocks(least[1:], TEXT_WIDTH - least[0])
-    kept = [[0, *(1 + k for k in block)] for block in blocks]
-    parts = [
-        Part(
-            [head[k] for k in ks],
-            [[row[k] for k in ks] for row in lines],
-            _shared([shares[k] for k in ks], [least[k] / TEXT_WIDTH for k in ks]),
-        )
-        for ks in kept
-    ]
-    return Table(caption, parts, words=True)
+
+    def cut(paper: Paper) -> list[Part]:
+        least = [_least(name, cells, paper) for name, cells in zip(head, columns, strict=True)]
+        blocks = _blocks(least[1:], paper.width - least[0])
+        kept = [[0, *(1 + k for k in block)] for block in blocks]
+        return [
+            Part(
+                [head[k] for k in ks],
+                [[row[k] for k in ks] for row in lines],
+                _shared([shares[k] for k in ks], [least[k] / paper.width for k in ks]),
+            )
+            for ks in kept
+        ]
+
+    return Table(caption, cut, words=True)
 
 
 def _shared(shares: Sequence[float], least: Sequence[float]) -> list[float]:
@@ -106,13 +112,13 @@ def _shared(shares: Sequence[float], least: Sequence[float]) -> list[float]:
     return [(low + room * more) / whole for low, more in zip(least, wide, strict=True)]
 
 
-def _least(head: Any, cells: Iterable[Any]) -> float:
+def _least(head: Any, cells: Iterable[Any], paper: Paper) -> float:
     """The width of a column, mm, in which nothing is broken that may not be."""
     texts = {str(cell) for cell in cells}
     if all(map(_NUMERIC.fullmatch, texts)):  # of numbers the longest is the widest, but for a comma or a sign
         most = max(map(len, texts), default=0)
         texts = {text for text in texts if len(text) > most - 2}
-    return PADDING + EM * max(map(widest_word, (str(head), *texts)))
+    return paper.padding + paper.em * max(map(widest_word, (str(head), *texts)))
 
 
 _NUMERIC = re.compile(r"[\d.,−-]*|—")
@@ -166,8 +172,13 @@ def numeric(caption: Any, first: Column, columns: Sequence[Column]) -> Table:
     A column of dashes alone is left out.
     """
     columns = [column for column in columns if not column.cells or any(c != DASH for c in column.cells)]
-    blocks = _blocks([column.width for column in columns], TEXT_WIDTH - first.width)
-    return Table(caption, [part([first, *(columns[k] for k in block)]) for block in blocks])
+
+    def cut(paper: Paper) -> list[Part]:
+        widths = [column.width(paper) for column in columns]
+        blocks = _blocks(widths, paper.width - first.width(paper))
+        return [part([first, *(columns[k] for k in block)], paper) for block in blocks]
+
+    return Table(caption, cut)
 
 
 def _blocks(widths: Sequence[float], room: float) -> list[range]:
@@ -180,27 +191,31 @@ def _blocks(widths: Sequence[float], room: float) -> list[range]:
     return [range(k, k + 1) for k in range(len(widths))] or [range(0)]
 
 
-def part(columns: Sequence[Column]) -> Part:
+def part(columns: Sequence[Column], paper: Paper = USUAL) -> Part:
     """Columns side by side; the room that is left goes to heads that would stand on several lines."""
     rows = list(zip(*(column.cells for column in columns), strict=True))
-    least = [column.width for column in columns]
+    least = [column.width(paper) for column in columns]
     more = [
-        max(0.0, PADDING + EM * whole(str(column.head)) - width)
+        max(0.0, paper.padding + paper.em * whole(str(column.head)) - width)
         for column, width in zip(columns, least, strict=True)
     ]
-    share = min(1.0, max(0.0, TEXT_WIDTH - sum(least)) / (sum(more) or 1.0))
+    share = min(1.0, max(0.0, paper.width - sum(least)) / (sum(more) or 1.0))
     widths = [width + share * extra for width, extra in zip(least, more, strict=True)]
-    return Part([c.head for c in columns], rows, [width / TEXT_WIDTH for width in widths])
+    return Part([c.head for c in columns], rows, [width / paper.width for width in widths])
 
 
 def packed(caption: Any, first: Column, lead: list[Column], groups: Sequence[list[Column]]) -> Table:
     """A table cut so that the columns of a group stand side by side; each part begins with the first columns."""
-    room = TEXT_WIDTH - sum(column.width for column in (first, *lead))
-    parts: list[list[Column]] = []
-    for group in groups:
-        width = sum(column.width for column in group)
-        if parts and sum(column.width for column in parts[-1]) + width <= room:
-            parts[-1] += group
-        else:
-            parts.append(list(group))
-    return Table(caption, [part([first, *lead, *block]) for block in parts])
+
+    def cut(paper: Paper) -> list[Part]:
+        room = paper.width - sum(column.width(paper) for column in (first, *lead))
+        parts: list[list[Column]] = []
+        for group in groups:
+            width = sum(column.width(paper) for column in group)
+            if parts and sum(column.width(paper) for column in parts[-1]) + width <= room:
+                parts[-1] += group
+            else:
+                parts.append(list(group))
+        return [part([first, *lead, *block], paper) for block in parts]
+
+    return Table(caption, cut)

@@ -12,8 +12,9 @@ from functools import cache
 from xml.etree.ElementTree import Element, fromstring, tostring
 
 from tmm_report.report.paper import measure
+from tmm_report.report.paper.sheets import USUAL
 
-LINE = 34.0  # em: what a line of formulas holds beside its number
+LINE = USUAL.line  # em: what a line of formulas holds beside its number
 _SHORT = 24  # letters that always stand on one line
 _FULL = 0.45  # of a line: one that is so full may end before a relation, though more has room
 
@@ -25,14 +26,14 @@ _SIGN = re.compile(r'<mo form="infix">([^<]+|&lt;)</mo>')
 _AGAIN = '<math class="again" aria-hidden="true">{}</math><br/>'
 
 
-def broken(text: str) -> tuple[str, float]:
+def broken(text: str, line: float = LINE) -> tuple[str, float]:
     """A displayed formula of neighbouring `math` elements on lines that hold it, and to what share of its size it is
-    reduced, where one of its pieces cannot be cut."""
-    if len(_MARKUP.sub("", text)) <= _SHORT or _wide(text) <= LINE:
+    reduced, where one of its pieces cannot be cut. `line`: what a line holds, ems."""
+    if len(_MARKUP.sub("", text)) <= _SHORT or _wide(text) <= line:
         return text, 1.0
-    pieces = [cut for piece in text.split("<wbr/>") for cut in _cut(piece)]
-    share = min(1.0, LINE / max(map(_wide, pieces)))
-    first, *others = _lines(pieces, LINE / share)
+    pieces = [cut for piece in text.split("<wbr/>") for cut in _cut(piece, line)]
+    share = min(1.0, line / max(map(_wide, pieces)))
+    first, *others = _lines(pieces, line / share)
     return "<wbr/>".join(first) + "".join(map(_next, others)), share
 
 
@@ -84,9 +85,9 @@ def _is_relation(piece: str) -> bool:
     return sign is not None and sign[1] not in "+−·"
 
 
-def _cut(piece: str) -> Iterator[str]:
+def _cut(piece: str, line: float) -> Iterator[str]:
     """A piece that a line holds, or what it can be cut into."""
-    if _wide(piece) <= LINE - 1.0:
+    if _wide(piece) <= line - 1.0:
         yield piece
         return
     row: list[Element] = []
@@ -119,7 +120,7 @@ def _written(row: Sequence[Element]) -> str:
 
 # --- LaTeX ---
 
-TEX_LINE = 30.0  # em: TeX breaks lines itself; a piece that may be longer is cut for it
+TEX = 30.0 / 34.0  # of a line: TeX breaks lines itself; a piece that may be longer is cut for it
 
 
 def pieces(latex: str) -> list[str]:
@@ -127,9 +128,9 @@ def pieces(latex: str) -> list[str]:
     return [*_parted(latex, _cuts(" (?=[=+-])"))]
 
 
-def finer(piece: str) -> list[str]:
+def finer(piece: str, line: float = LINE) -> list[str]:
     """A piece cut before its products, if no line holds it: these begin with the sign of multiplication."""
-    return [piece] if measure.latex(piece) <= TEX_LINE else [*_parted(piece, _cuts(r"(?=\\cdot )"))]
+    return [piece] if measure.latex(piece) <= TEX * line else [*_parted(piece, _cuts(r"(?=\\cdot )"))]
 
 
 @cache

@@ -13,21 +13,38 @@ _HTML = (
     (r'(</math>(?:</span>)?)(</div>(?:<div class="number">[^<]*</div>)?</div>\s*)'
      r'(?=<p class="where">|<div class="formula")', r"\1,\2"),
     (r'\.(</p>\s*<p class="where">)', r",\1"),
-    (r'(</table>\s*</div>\s*</div>\s*<p class="where">)WHERE ', r"\1HERE "),
-    (r'(:</p>\s*<p class="where">)WHERE ', r"\1"),
+    (r'(</table>\s*</div>\s*</div>\s*<p class="where"><span class="item">)WHERE ', r"\1HERE "),
+    (r'(:</p>\s*<p class="where"><span class="item">)WHERE ', r"\1"),
 )  # fmt: skip
 _TEX = (
-    (r"^(\\Note(?:Formula|Display)\{.*)\}(\s*)(?=\\noindent WHERE |\\Note(?:Formula|Display)\{)", r"\1,}\2"),
-    (r"\.(\s*\\noindent WHERE )", r",\1"),
-    (r"(\\end\{Note(?:Long)?Table\}\s*\\noindent )WHERE ", r"\1HERE "),
-    (r"(:\s*\\noindent )WHERE ", r"\1"),
+    (r"^(\\Note(?:Formula|Display)\{.*)\}(\s*)(?=\\NoteWhere WHERE |\\Note(?:Formula|Display)\{)", r"\1,}\2"),
+    (r"\.(\s*\\NoteWhere WHERE )", r",\1"),
+    (r"(\\end\{Note(?:Long)?Table\}\s*\\NoteWhere )WHERE ", r"\1HERE "),
+    (r"(:\s*\\NoteWhere )WHERE ", r"\1"),
 )
 _RULES = {"html": _HTML, "tex": _TEX}
 
 
-def joined(text: str, fmt: str, where: str, here: str) -> str:
-    """The rendered note with its formulas and explanations joined into sentences. `where`, `here`: the words."""
+def joined(text: str, fmt: str, where: str, here: str, dash: str) -> str:
+    """The rendered note with its formulas and explanations joined into sentences, and with one dash between words.
+    `where`, `here`: the words."""
     for pattern, put in _RULES.get(fmt, ()):
         pattern = pattern.replace("WHERE", re.escape(where))
         text = re.sub(pattern, put.replace("HERE", here), text, flags=re.M)
-    return text
+    return _dashed(text, fmt, dash)
+
+
+_PICTURE = re.compile(r"(<svg.*?</svg>)", re.S)
+
+
+def _dashed(text: str, fmt: str, dash: str) -> str:
+    """The dash of the profile in the text, not in pictures: their lettering was laid out as it is."""
+    if fmt == "html":
+        return "".join(part if k % 2 else _put(part, dash) for k, part in enumerate(_PICTURE.split(text)))
+    before, begin, body = text.partition("\\begin{document}")
+    body = re.sub(r"(?<=\s)--(?=\s)", {"—": "---", "–": "--"}[dash], body)
+    return before + begin + _put(body, dash)
+
+
+def _put(text: str, dash: str) -> str:
+    return re.sub(r"(?<=\s)–(?=\s)", dash, text)

@@ -1,15 +1,28 @@
 """Sheets of paper: on which one a picture stands at its own size.
 
 A picture that the text of a page holds stands in the text. A larger one has a sheet of its own, turned with its
-caption: the smallest of A4 on its side, A3, three A4 in a row, A2 and A1, lying or standing, that holds it.
+caption: the smallest of A4 on its side, A3, three A4 in a row, A2 and A1, lying or standing, that holds it. The room
+comes from the margins of the note's profile; the size of a picture never does.
 """
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import NamedTuple
 
-PAGE = (165.0, 228.0)  # mm: the largest picture in the text of a page; its caption stands below
+from tmm_report.profiles import A4, Margins, Text, shipped
+from tmm_report.records import dataclass
+
 CAPTION = 15.0  # mm: what a caption takes of a sheet
+BELOW = 29.0  # mm: what the caption of a picture in the text takes, and the text that leads to it
+SIDE = 18.0  # mm: margins at the sides of a page that is turned
+SIZES = (
+    ("a3", 420.0, 297.0), ("a3tall", 297.0, 420.0), ("a4x3", 630.0, 297.0), ("a2", 594.0, 420.0),
+    ("a2tall", 420.0, 594.0), ("a1", 841.0, 594.0), ("a1tall", 594.0, 841.0),
+)  # fmt: skip
+TABLE = 0.881  # letters of a table, in sizes of those of the text
+POINT = 25.4 / 72  # mm
+NUMBERED = 21.1  # mm: what the number of a formula takes on both sides of it
 
 
 class Sheet(NamedTuple):
@@ -20,46 +33,87 @@ class Sheet(NamedTuple):
     wide: float
     tall: float
     field: tuple[float, float]
-    corner: tuple[float, float] = (30.0, 20.0)
+    corner: tuple[float, float]
 
     def holds(self, size: tuple[float, float]) -> bool:
         """Whether a picture of this width and height, mm, stands on it with its caption."""
         return _holds((self.field[0], self.field[1] - CAPTION), size)
 
-
-A4 = Sheet(
-    "a4", 297.0, 210.0, (261.0, 165.0), (18.0, 30.0)
-)  # the page turned, its margin for the binding above
-SHEETS = (
-    A4,
-    Sheet("a3", 420.0, 297.0, (375.0, 257.0)),
-    Sheet("a3tall", 297.0, 420.0, (252.0, 380.0)),
-    Sheet("a4x3", 630.0, 297.0, (585.0, 257.0)),
-    Sheet("a2", 594.0, 420.0, (549.0, 380.0)),
-    Sheet("a2tall", 420.0, 594.0, (375.0, 554.0)),
-    Sheet("a1", 841.0, 594.0, (796.0, 554.0)),
-    Sheet("a1tall", 594.0, 841.0, (549.0, 801.0)),
-)
+    @property
+    def margins(self) -> tuple[float, float, float, float]:
+        """Above, right, below, left, mm."""
+        left, above = self.corner
+        return above, self.wide - left - self.field[0], self.tall - above - self.field[1], left
 
 
-def fits(size: tuple[float, float]) -> bool:
-    """Whether a picture of this width and height, mm, stands in the text of a page."""
-    return _holds(PAGE, size)
+@dataclass(frozen=True)
+class Paper:
+    """The paper of a note and the letters on it."""
+
+    margins: Margins
+    text: Text
+
+    @property
+    def width(self) -> float:
+        """Of the text, mm."""
+        return self.margins.left_of_a4[0]
+
+    @property
+    def height(self) -> float:
+        """Of the text, mm."""
+        return self.margins.left_of_a4[1]
+
+    @property
+    def page(self) -> tuple[float, float]:
+        """The largest picture in the text of a page, mm."""
+        return self.width, self.height - BELOW
+
+    @property
+    def em(self) -> float:
+        """Of a table's letters, mm."""
+        return TABLE * self.text.size * POINT
+
+    @property
+    def padding(self) -> float:
+        """Both margins of a table's cell and its line, mm."""
+        return 0.3 * self.text.size
+
+    @property
+    def line(self) -> float:
+        """What a line of formulas holds beside its number, in sizes of its letters."""
+        return (self.width - NUMBERED) / (self.text.size * POINT)
+
+    @cached_property
+    def sheets(self) -> tuple[Sheet, ...]:
+        """From the smallest on. A page that is turned has its margin for the binding above."""
+        left, right = self.margins.left, self.margins.right
+        turned = Sheet("a4", A4[1], A4[0], (A4[1] - 2 * SIDE, A4[0] - left - right), (SIDE, left))
+        return (turned, *(self._standing(*size) for size in SIZES))
+
+    def _standing(self, name: str, wide: float, tall: float) -> Sheet:
+        one = self.margins
+        field = (wide - one.left - one.right, tall - one.top - one.bottom)
+        return Sheet(name, wide, tall, field, (one.left, one.top))
+
+    def fits(self, size: tuple[float, float]) -> bool:
+        """Whether a picture of this width and height, mm, stands in the text of a page."""
+        return _holds(self.page, size)
+
+    def sheet_of(self, size: tuple[float, float]) -> Sheet | None:
+        """The sheet of a picture of this width and height, mm; None: it stands in the text. What no sheet holds is put
+        on the one that reduces it least."""
+        if self.fits(size):
+            return None
+        held = next((sheet for sheet in self.sheets if sheet.holds(size)), None)
+        return held or max(self.sheets[-2:], key=lambda sheet: _share(sheet, size))
+
+    def percent(self, size: tuple[float, float]) -> int:
+        """To how many per cent of its size a picture is reduced; 100: not at all, as the largest sheet holds it."""
+        sheet = self.sheet_of(size)
+        return 100 if sheet is None or sheet.holds(size) else int(100 * _share(sheet, size))
 
 
-def sheet_of(size: tuple[float, float]) -> Sheet | None:
-    """The sheet of a picture of this width and height, mm; None: it stands in the text. What no sheet holds is put
-    on the one that reduces it least."""
-    if fits(size):
-        return None
-    held = next((sheet for sheet in SHEETS if sheet.holds(size)), None)
-    return held or max(SHEETS[-2:], key=lambda sheet: _share(sheet, size))
-
-
-def percent(size: tuple[float, float]) -> int:
-    """To how many per cent of its size a picture is reduced; 100: not at all, as the largest sheet holds it."""
-    sheet = sheet_of(size)
-    return 100 if sheet is None or sheet.holds(size) else int(100 * _share(sheet, size))
+USUAL = Paper(shipped().margins, shipped().text)
 
 
 def _holds(room: tuple[float, float], size: tuple[float, float]) -> bool:

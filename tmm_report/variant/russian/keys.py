@@ -11,6 +11,7 @@ accuracy: точность
 across: поперёк
 after: после
 ahead: впереди
+align: выравнивание
 allow_partial: допускать неполный цикл
 alpha: угол профиля
 alpha_w: угол зацепления
@@ -25,6 +26,7 @@ area: площадь
 areas: площади
 arm: рычаг, плечо
 arms: рычаги, плечи
+assignment: задание
 at_length: при длине
 at_position: в положении
 axes: оси
@@ -46,12 +48,15 @@ bevel: коническое
 beyond: за хордой
 bodies: тела
 body: тело, в тексте
+bottom: нижнее, снизу
 brake: тормоз
 bushing: втулка
 by: по
 by_place: по месту
 by_speed: по скорости
 cam: кулачок
+capitals: прописные, прописными
+captions: надписи, подписи рисунков и таблиц
 carrier: водило
 carriers: водила
 cases: случаи
@@ -71,8 +76,11 @@ coefficient: коэффициент
 collar: буртик
 collars: гребни
 compression: сжатие
+conclusions: заключение
 contact: контакт
 contacts: контакты, пары трения
+contents: содержание
+continued: продолжение
 corrected: исправлено
 count: число, количество
 counterweights: противовесы
@@ -101,6 +109,7 @@ cylinders: цилиндры
 dampers: демпферы
 damping: демпфирование
 damping_ratio: относительное демпфирование
+dash: тире
 dead_zone: зона нечувствительности
 decimal_sign: десятичный знак
 deflection: осадка
@@ -133,6 +142,8 @@ face_offset: смещение плоскости
 fan: вентилятор
 fast: быстроходная
 feedback: обратная связь
+figure: рисунок
+figures: рисунки
 find: найти, искать
 firing: порядок работы
 first: первый
@@ -140,14 +151,15 @@ fixed: неподвижный
 flank: боковая поверхность
 flat: плоский
 force_plan: план сил
+formulas: формулы
 forward: вперёд, прямой ход
 foundation: фундамент
 free: свободно
 free_angle: свободный угол
 free_length: свободная длина, длина без нагрузки
 frequency: частота
-from: от, из
 friction_angle: угол трения
+from: от, из
 fulcrum: точка опоры
 full: полный
 function: функция
@@ -165,10 +177,13 @@ hand_force: сила руки
 hands: руки
 harmonic: гармоника
 harmonics: гармоники
+headings: заголовки
 height: высота
 helix: угол наклона зубьев
+here: здесь
 highest: наивысший
 idlers: паразитные колёса
+indent: отступ, абзацный отступ
 induction: асинхронный
 inline: рядный
 inner: внутренний
@@ -176,6 +191,7 @@ input: вход
 insensitivity: нечувствительность
 inspection: контрольные размеры, контроль
 internal: внутреннее
+introduction: введение
 isodrome: изодром
 isolators: виброизоляторы
 joined: соединены, одно целое
@@ -183,11 +199,13 @@ joints: шарниры
 journal: цапфа
 journals: цапфы
 kinetic: кинетический
+last: окончание
 law: закон
 least: наименьшее
 least_contact: наименьший коэффициент перекрытия
 least_curvature: наименьший радиус кривизны
 least_tip: наименьшая толщина вершины
+left: левое, слева
 length: длина
 lengths: длины
 level: уровень, ровно
@@ -195,6 +213,7 @@ lift: подъём, ход толкателя
 lifts: подъёмы
 limit: предел
 line: прямая, отрезок прямой
+lines: строки, с новой строки
 load: нагрузка
 locking: коэффициент блокировки, блокировка
 losses_of_acceleration: потери ускорения
@@ -203,6 +222,7 @@ lower_offset: смещение нижнего
 lowest: наинизший
 lubrication: смазка
 machine: машина
+margins: поля
 material: материал
 materials: материалы
 max_moment: наибольший момент
@@ -219,9 +239,11 @@ motor: мотор, двигатель
 motors: двигатели
 moves: движет
 needed: требуется
+new_page: с новой страницы
 no_load: холостой ход
 nose: радиус вершины
 note: записка
+numbers: нумерация
 of: от наибольшего
 offset: смещение направляющей, дезаксиал
 offset_ratio: относительное смещение
@@ -236,6 +258,7 @@ output_torque: момент на выходе
 overhang: вылет
 overload: перегрузка
 own: собственный
+page_number: номер страницы
 pairs: пары
 parallel: параллельно
 part: часть
@@ -278,12 +301,14 @@ ratio_range: диапазон передаточных отношений, пр�
 ratio_weight: вес отношения
 reciprocating: возвратно-поступательный
 reduction: приведение
+references: источники, список источников
 remove: убрать
 reserve: запас
 resistance: сопротивление
 resisting: сопротивляющийся
 return: возвращение
 return_angle_limit: допускаемый угол давления при возвращении
+right: правое, справа
 rim: обод
 ring_teeth: зубья эпицикла
 ring_up_to: эпицикл до
@@ -312,6 +337,7 @@ satellites: сателлиты
 scale: масштаб
 scheme: схема
 second: второй
+section: раздел
 sectors: секторы
 series: последовательно
 servo: сервомотор
@@ -323,7 +349,9 @@ shifted: сдвиг
 shortens: укорачивается
 shunt: шунтовой, параллельного возбуждения
 side: сторона
+signatures: подписи
 sine: четверть синусоиды
+size: размер, кегль
 slack: провисание
 sleeve: муфта регулятора
 sleeve_arm: плечо муфты
@@ -360,12 +388,16 @@ stiffness: жёсткость
 stress: напряжение
 stribeck: штрибек
 strokes: ходы
+structural: структурные
+subsection: подраздел
 surfaces: поверхности
 swing: размах, угол размаха
 swings: размахи
 symbols: обозначения
 synchronous: синхронная скорость
+tables: таблицы
 tangent: с прямыми боками
+text: текст
 thickness: толщина
 thinning: утонение, утонение зубьев
 throttle: дроссель
@@ -376,6 +408,7 @@ tip_diameters: диаметры вершин
 tip_shortening: укорочение головки
 to: до какого
 tolerance: допуск
+top: верхнее, сверху
 torque: крутящий момент
 torsion: пружина кручения
 torsion_springs: пружины кручения
@@ -404,8 +437,10 @@ voltage: напряжение сети
 wear: износ, изнашивание
 wheel: колесо
 wheels: колёса
+where: где, пояснения
 width: ширина
 within: в пределах
+words: слова
 work: работа
 working: рабочий участок
 working_speed: скорость рабочего хода, средняя скорость рабочего хода

@@ -1,0 +1,192 @@
+"""The block `profile` of a variant: the name of a shipped profile, or what a department wants otherwise than it."""
+
+import re
+from collections.abc import Iterator
+from functools import partial
+from typing import Annotated, TypedDict
+
+from pydantic import Field, Tag
+
+from tmm_report import profiles
+from tmm_report.problems import N_, Message, Problem, mistake, shown
+from tmm_report.profiles import Align, Base, Count, Dash, Frame, Place, Profile
+from tmm_report.quantity.units import WrongValue
+from tmm_report.variant import model
+from tmm_report.variant.model import Model, Read
+from tmm_report.variant.values import MAP, SCALAR, Flag, Reads, by_shape, free_text, quantity
+
+Margin = Annotated[float, quantity("length", 0.0, 0.08, "0 … 80 mm")]
+Indent = Annotated[float, quantity("length", 0.0, 0.05, "0 … 50 mm")]
+Gap = Annotated[float, quantity("length", 0.0, 0.02, "0 … 20 mm")]
+Size = Annotated[float, quantity("number", 8.0, 20.0, "8 … 20")]
+Spacing = Annotated[float, quantity("number", 1.0, 3.0, "1 … 3")]
+Code = Annotated[str, Field(pattern="^[a-z]{2,3}$", examples=["kk"])]
+LEAST = (120.0, 180.0)  # mm: width and height of the text
+
+
+class MarginsModel(Model):
+    left: Margin | None = None
+    right: Margin | None = None
+    top: Margin | None = None
+    bottom: Margin | None = None
+
+
+class LettersModel(Model):
+    size: Size | None = Field(default=None, description="of the letters, pt")
+    spacing: Spacing | None = Field(default=None, description="between lines, in sizes of the letters")
+    indent: Indent | None = Field(default=None, description="of the first line of a paragraph")
+    gap: Gap | None = Field(default=None, description="between paragraphs")
+
+
+class HeadingModel(Model):
+    align: Align | None = None
+    capitals: Flag | None = None
+    new_page: Flag | None = None
+
+
+class SubheadingModel(Model):
+    align: Align | None = None
+    capitals: Flag | None = None
+
+
+class HeadingsModel(Model):
+    structural: HeadingModel | None = Field(
+        default=None, description="contents, introduction, conclusions, references"
+    )
+    section: HeadingModel | None = None
+    subsection: SubheadingModel | None = None
+
+
+class CaptionsModel(Model):
+    figure: Align | None = None
+    table: Align | None = None
+
+
+class NumbersModel(Model):
+    figures: Count | None = None
+    tables: Count | None = None
+    formulas: Count | None = None
+
+
+class WhereModel(Model):
+    lines: Flag | None = Field(default=None, description="each letter on a line of its own")
+    indent: Flag | None = Field(default=None, description="from the indent of a paragraph")
+
+
+def _template(value: object, slots: tuple[str, ...]) -> str:
+    """A word of the note with the names of what is put into it, in braces."""
+    text = free_text(value)
+    found = re.findall(r"\{(.*?)\}", text)
+    if sorted(found) == sorted(slots) and text.count("{") == text.count("}") == len(slots):
+        return text
+    told = {"value": shown(text), "slots": ", ".join(f"{{{slot}}}" for slot in slots)}
+    if not slots:
+        raise WrongValue(Message(N_("%(value)s: nothing is put into this word, so it has no braces"), told))
+    wrong = Message(N_("%(value)s must have each of %(slots)s once and no other braces"), told)
+    raise WrongValue(wrong, Message(N_("for example %(example)s"), {"example": _example(slots)}))
+
+
+def _example(slots: tuple[str, ...]) -> str:
+    return " ".join(["…", *(f"{{{slot}}}" for slot in slots)])
+
+
+def _word(*slots: str) -> Reads:
+    return Reads(
+        partial(_template, slots=slots),
+        {"type": "string", "maxLength": 200, "examples": [_example(slots)]},
+    )
+
+
+Titled = Annotated[str, _word("n", "title")]
+Numbered = Annotated[str, _word("n")]
+Lettered = Annotated[str, _word("letter")]
+Plain = Annotated[str, _word()]
+
+
+class WordsModel(Model):
+    """What is put into them stands in braces."""
+
+    figure: Titled | None = None
+    table: Titled | None = None
+    continued: Numbered | None = None
+    last: Numbered | None = None
+    appendix: Lettered | None = None
+    contents: Plain | None = None
+    symbols: Plain | None = None
+    introduction: Plain | None = None
+    conclusions: Plain | None = None
+    references: Plain | None = None
+    assignment: Plain | None = None
+    where: Plain | None = None
+    here: Plain | None = None
+
+
+class NoteProfileModel(Model):
+    """What stands otherwise than in the profile `base`."""
+
+    base: Base = profiles.DEFAULT
+    margins: MarginsModel | None = None
+    text: LettersModel | None = None
+    dash: Dash | None = None
+    headings: HeadingsModel | None = None
+    captions: CaptionsModel | None = None
+    numbers: NumbersModel | None = None
+    where: WhereModel | None = None
+    page_number: Place | None = None
+    frame: Frame | None = None
+    signatures: Flag | None = Field(
+        default=None, description="a line to sign on behind each name of the title page"
+    )
+    language: Code | None = Field(
+        default=None, description="whose words stand; left out, those of the note's language"
+    )
+    words: dict[Code, WordsModel] | None = Field(
+        default=None, description="captions and other words, by language"
+    )
+
+
+Stated = Annotated[
+    Annotated[Base, Tag(SCALAR)] | Annotated[NoteProfileModel, Tag(MAP)],
+    by_shape(N_("gost, plain, dstu, kz, or {base: gost, margins: {left: 25 mm}}")),
+]
+
+
+class Block(model.Block):
+    """How the note looks on paper."""
+
+    profile: Stated = profiles.DEFAULT
+
+
+class Given(TypedDict):
+    profile: Profile | None
+
+
+def given(read: Read) -> Given:
+    return {"profile": _made(read.block(Block).profile)}
+
+
+def _made(stated: Base | NoteProfileModel) -> Profile:
+    if isinstance(stated, str):
+        return profiles.shipped(stated)
+    return profiles.stated(stated.base, stated.model_dump(exclude={"base"}, exclude_none=True))
+
+
+def mistakes(read: Read) -> Iterator[Problem]:
+    """Margins that leave no room for the text; a language without words."""
+    stated = read.block(Block).profile
+    if isinstance(stated, str):
+        return
+    made = _made(stated)
+    if made.language is not None and made.language not in made.words:
+        known = Message(N_("known: %(words)s"), {"words": ", ".join(made.words)})
+        yield mistake(
+            N_("the profile has no words of the language %(code)s"),
+            ("profile", "language"),
+            known,
+            code=shown(made.language),
+        )
+    for left, least in zip(made.margins.left_of_a4, LEAST, strict=True):
+        if left < least and stated.margins is not None:
+            text = N_("the margins leave %(left)s mm of the page for the text")
+            right = Message(N_("at least %(least)s mm must be left"), {"least": f"{least:g}"})
+            yield mistake(text, ("profile", "margins"), right, left=f"{left:g}")
