@@ -26,7 +26,10 @@ sizes = st.floats(1e-12, 1e12).flatmap(lambda size: st.sampled_from([size, -size
         (-41.8879, {"decimal": "."}, "−41.888"),
         (9.99996, {}, "10"),
         (999999.9, {}, "1·10⁶"),
-        (123456.0, {}, "123460"),
+        (123456.0, {}, "123456"),
+        (20646.5, {"digits": 4}, "20647"),
+        (999999.4, {"digits": 2}, "999999"),
+        (1234567.0, {"digits": 4}, "1,235·10⁶"),
         (0.0001, {}, "0,0001"),
         (0.0135, {}, "0,0135"),
         (-1.35e-5, {}, "−1,35·10⁻⁵"),
@@ -52,17 +55,17 @@ def test_a_printed_number_is_the_value_to_its_digits(x, digits):
     exponent = int(power.translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")) or 0)
     read = float(f"{mantissa}e{exponent}")
     assert "e" not in text and text != "-0"
-    assert (
-        abs(read - x)
-        <= 0.5 * 10 ** (math.floor(math.log10(abs(x))) - digits + 1) * (1 + 1e-9) + abs(x) * 2e-12
-    )
+    step = 10.0 ** (math.floor(math.log10(abs(x))) - digits + 1)
+    step = min(step, 1.0) if abs(x) < 1e6 else step  # all digits before the point are printed
+    assert abs(read - x) <= 0.5 * step * (1 + 1e-9) + abs(x) * 2e-12
     assert read == round_significant(x, digits)
 
 
 @given(st.integers(1, 10**6), st.integers(-8, 8), st.integers(2, 6))
 def test_rounding_is_half_up_on_the_decimal_digits(whole, power, digits):
     written = Decimal(whole).scaleb(power)
-    step = Decimal((0, (1,), written.adjusted() - digits + 1))
+    place = written.adjusted() - digits + 1
+    step = Decimal((0, (1,), min(place, 0) if written < 10**6 else place))
     expected = float(written.quantize(step, ROUND_HALF_UP))
     assert round_significant(float(written), digits) == expected
     assert round_significant(np.array([float(written), -float(written)]), digits).tolist() == [
@@ -109,6 +112,9 @@ def test_units_are_printed_in_the_language(unit, ru, en):
 
 def as_text(x: float, digits: int) -> float:
     """Rounding through the number's text: what rounding by arithmetic must equal to the last bit."""
+    size = abs(x) * (1 + 1e-12)
+    if 10 ** (digits - 1) <= size < 1e6:
+        return math.copysign(float(Decimal(size).quantize(Decimal(1), ROUND_HALF_UP)), x)
     return float(f"{x * (1 + 1e-12):.{digits - 1}e}")
 
 

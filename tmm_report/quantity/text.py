@@ -20,6 +20,7 @@ ZERO = 1e-9  # relative to the scale: anything smaller is the noise of a computa
 NUDGE = 1 + 1e-12
 EXACT_DIGITS = 12  # up to so many the error of a scaled number is below 1e-3, what CLEAR leaves to a half
 CLEAR = 0.499
+RAISED = 1e6  # from here on a power of ten is printed; what is less has no zeros in the place of its digits
 MINUS = "\N{MINUS SIGN}"
 _TENS = tuple(float(10**k) for k in range(23))  # the powers that a double holds exactly
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -36,7 +37,8 @@ class Parts(NamedTuple):
 def split(
     x: float, digits: int = 5, places: int | None = None, scale: float = 1.0, keep_zeros: bool = False
 ) -> Parts:
-    """`x` to `digits` significant digits, or to `places` decimals. |x| <= 1e-9 scale is 0.
+    """`x` to `digits` significant digits, but all that stand before its point, or to `places` decimals. |x| <= 1e-9
+    scale is 0.
 
     The power of ten appears outside 1e-4 <= |x| < 1e6. nan is a dash. `keep_zeros` keeps trailing zeros.
     """
@@ -60,13 +62,11 @@ def _bare(text: str) -> str:
 
 def _significant(size: float, digits: int) -> tuple[str, int | None]:
     """Digits, trailing zeros kept, and power of a size that is already nudged."""
-    text = f"{size:#.{digits}g}"
-    if "e" not in text:
-        return text.rstrip("."), None
-    mantissa, _, power = text.partition("e")
-    if int(power) >= 6 or size < 1e-4:
-        return mantissa.rstrip("."), int(power)
-    return str(round(float(text))), None
+    whole = math.floor(size + 0.5) if size < RAISED else RAISED
+    if 10 ** (digits - 1) <= size and whole < RAISED:
+        return str(whole), None
+    mantissa, _, power = f"{size:#.{digits}g}".partition("e")
+    return mantissa.rstrip("."), int(power) if power else None
 
 
 def number(
@@ -96,13 +96,15 @@ def _running(parts: Parts, decimal: str) -> str:
 
 
 def round_significant(x: Any, digits: int) -> Any:
-    """`x` (a number or an array) rounded half up to `digits` significant digits, as `number` prints it."""
+    """`x` (a number or an array) rounded half up to `digits` significant digits, as `number` prints it: below a million
+    not to tens or more."""
     if isinstance(x, (int, float)):
         return _rounded(x, digits)
     x = np.asarray(x, dtype=float)
     size = np.abs(x) * NUDGE
     known = np.isfinite(size) & (size > 0)
     shift = digits - 1 - np.floor(np.log10(np.where(known, size, 1.0)))
+    shift = np.where(size < RAISED, np.maximum(shift, 0), shift)
     up, down = 10.0 ** np.maximum(shift, 0), 10.0 ** np.maximum(-shift, 0)  # one of them is 1: both exact
     rounded = np.floor(size * up / down + 0.5) / up * down
     return np.where(known, np.copysign(rounded, x), x)
@@ -117,11 +119,15 @@ def _rounded(x: float, digits: int) -> float:
     size = abs(x) * NUDGE
     if digits <= EXACT_DIGITS and 1e-9 < size < 1e9:
         shift = digits - 1 - math.floor(math.log10(size))
+        if shift < 0 and size < RAISED:
+            shift = 0
         up, down = (_TENS[shift], 1.0) if shift >= 0 else (1.0, _TENS[-shift])
         scaled = size * up / down
         whole = math.floor(scaled + 0.5)
         if abs(scaled - whole) < CLEAR:
             return math.copysign(whole / up * down, x)
+    if 10 ** (digits - 1) <= size < RAISED:
+        return math.copysign(math.floor(size + 0.5), x)
     return float(f"{x * NUDGE:.{digits - 1}e}") if math.isfinite(x) else x
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from typing import Any, ParamSpec, TypeVar
 
 import jinja2
@@ -27,7 +27,8 @@ from tmm_report.quantity.formula import Formula, Inline, Var
 from tmm_report.quantity.model import Column, Table, Value
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol, math_symbol, xml_escape
-from tmm_report.quantity.text import column, number, short_and_full, unit_text
+from tmm_report.quantity.text import column, short_and_full, unit_text
+from tmm_report.quantity.text import number as written
 from tmm_report.quantity.written import Equation, explained
 from tmm_report.report import diagrams
 from tmm_report.report.bytecode import bytecode_cache
@@ -310,7 +311,7 @@ class Page:
         return self.listed(self.value(item) for item in items)
 
     def num(self, x: float, digits: int = 5, places: int | None = None, scale: float = 1.0) -> str:
-        return number(float(x), digits, self.tr.decimal, places, scale)
+        return written(float(x), digits, self.tr.decimal, places, scale)
 
     def col(self, values: Iterable[float], digits: int = 5) -> list[str]:
         """A table column."""
@@ -318,9 +319,9 @@ class Page:
 
     # ------------------------------------------------------------ numbers of the results
 
-    def head(self, symbol: Symbol | str, unit: str = "") -> Markup:
-        """Symbol and unit of a column or row."""
-        text = self.sym(symbol)
+    def head(self, symbol: Symbol | str | Markup, unit: str = "") -> Markup:
+        """Symbol, which may be ready, and unit of a column or row."""
+        text = symbol if isinstance(symbol, Markup) else self.sym(symbol)
         return self.listed([text, self.unit(unit)]) if unit else text
 
     def column(
@@ -343,13 +344,15 @@ class Page:
         numbers = column.numbers(unit)[:rows]
         texts = self.col(np.abs(numbers) if size else numbers, digits)
         cells = list(map(Cell, texts, table.refs(key, unit, size)))
-        return layout.Column(self.head(column.symbol(), unit or column.unit), cells)
+        letter = self.sym(column.symbol())
+        return layout.Column(self.head(letter, unit or column.unit), cells, letter)
 
     def singles(self, table: Table, key: str, rows: int | None = None, **form: Any) -> layout.Column:
         """A column of the results whose numbers have each its own decimals; `rows`: only the first so many."""
         column = table[key]
         cells = [self.cell(table, key, row, **form) for row in range(len(table) if rows is None else rows)]
-        return layout.Column(self.head(column.symbol(), column.quantity.printed), cells)
+        letter = self.sym(column.symbol())
+        return layout.Column(self.head(letter, column.quantity.printed), cells, letter)
 
     def cell(
         self,
@@ -371,7 +374,10 @@ class Page:
             number, ref = of[key].number(row, unit), of.ref(key, row, unit, size)
         number = abs(number) if size else number
         short, full = short_and_full(float(number), digits, self.tr.decimal, places, scale)
-        return Cell(short, ref, full)
+        return Cell(short, ref, full, partial(self._to_places, float(number)))
+
+    def _to_places(self, number: float, places: int) -> str:
+        return written(number, decimal=self.tr.decimal, places=places, scale=0, keep_zeros=True)
 
     def word(self, text: str | Markup, table: Table, key: str, row: int) -> Cell | Words:
         """A translated word or a name that stands for a cell of the results."""

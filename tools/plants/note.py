@@ -3,6 +3,7 @@
 from faults import Fault
 
 DEPTH = ("tests/report/test_depth.py",)
+ALIKE = ("tests/page/test_alike.py",)
 FAULTS = (
     # --- pieces of the note ---
     Fault("what an appendix explains taken for explained", "tmm_report/report/numbering.py",
@@ -19,4 +20,20 @@ FAULTS = (
     Fault("an appendix of nothing", "tmm_report/report/page.py", "if text.strip():", "if True:", tests=DEPTH),
     Fault("a piece cut out keeps its rank", "tmm_report/report/numbering.py", "level = max(2, level - self._raised)",
           "level = max(2, level)", tests=DEPTH),
+    # --- digits ---
+    Fault("whole numbers rounded to tens", "tmm_report/quantity/text.py",
+          "    if 10 ** (digits - 1) <= size and whole < RAISED:\n        return str(whole), None",
+          "    if 10 ** (digits - 1) <= size and whole < RAISED:\n"
+          "        return str(int(float(f\"{size:.{digits - 1}e}\"))), None",
+          variants="compressor", tests=ALIKE),
+    Fault("each number of a column by itself", "tmm_report/report/paper/layout.py",
+          "return self._replace(cells=padded(self.cells))", "return self", tests=ALIKE),
+    Fault("columns of noughts stay", "tmm_report/report/paper/layout.py",
+          'all(cell == "0" for cell in self.cells)', "False", tests=ALIKE),
+    Fault("noise of a uniform turning is its acceleration", "tmm_report/chapters/lever/kinematics/view/motion.py",
+          "if order and self._nought(order, (low, high)):", "if False:", variants="parallelogram_drive",
+          tests=ALIKE),
+    Fault("works beside their own size", "tmm_report/chapters/lever/kinetostatics/view/cycle.py",
+          "self.page.cell(table, key, row, scale=max(scale, 1e-300))",
+          "self.page.cell(table, key, row, scale=1e-300)", variants="slot_by_slider", tests=ALIKE),
 )  # fmt: skip

@@ -14,21 +14,23 @@ from tmm_report.records import dataclass
 from tmm_report.report.paper.measure import whole, widest_word
 from tmm_report.report.paper.sheets import USUAL, Paper
 
+LEAST = 99.5  # of units of the last decimal: what is less has not three digits in its column
 WHOLE = 20  # rows: a longer table may be cut by the end of a page
 
 
 class Cell(str):
     """A printed number, or a word that stands for one, that knows where it stands in the results.
 
-    `full`: the number with the zeros at its end that were left out.
+    `full`: the number with the zeros at its end that were left out; `to`: the number to so many decimals.
     """
 
     ref: Ref
     full: str
+    to: Callable[[int], str] | None
 
-    def __new__(cls, text: str, ref: Ref, full: str = "") -> Cell:
+    def __new__(cls, text: str, ref: Ref, full: str = "", to: Callable[[int], str] | None = None) -> Cell:
         cell = super().__new__(cls, text)
-        cell.ref, cell.full = ref, full or text
+        cell.ref, cell.full, cell.to = ref, full or text, to
         return cell
 
 
@@ -44,12 +46,24 @@ class Words(Markup):
 
 
 class Column(NamedTuple):
+    """`letter`: of one quantity; a column without one is not left out though it is all nought."""
+
     head: Any
     cells: Sequence[str]
+    letter: Any = None
 
     def width(self, paper: Paper) -> float:
         """mm, no word of the head and no number being broken."""
         return _least(self.head, self.cells, paper)
+
+    @property
+    def aligned(self) -> Column:
+        return self._replace(cells=padded(self.cells))
+
+    @property
+    def nought(self) -> bool:
+        """Whether it is 0 in each of its rows, to all digits that are printed."""
+        return self.letter is not None and len(self.cells) > 1 and all(cell == "0" for cell in self.cells)
 
 
 @dataclass(frozen=True)
@@ -70,6 +84,7 @@ class Table:
     caption: Any
     cut: Callable[[Paper], Sequence[Part]]
     words: bool = False  # of text: as wide as the page
+    nought: Sequence[Any] = ()  # letters of the columns that are 0 in every row, and said so below it
 
     @property
     def parts(self) -> Sequence[Part]:
@@ -136,28 +151,43 @@ def _told(
 
 
 def _aligned(rows: list[list[Any]]) -> list[list[Any]]:
-    """Numbers of one column of the results with as many decimals under one another as their digits allow."""
+    """Numbers of one column of the results under one another."""
     columns = [padded(column) for column in zip(*rows, strict=True)]
     return [list(row) for row in zip(*columns, strict=True)]
 
 
 def padded(cells: Sequence[Any]) -> Sequence[Any]:
-    """Numbers of one column of the results with as many decimals as their digits allow; other cells as they are."""
-    numbers = [cell for cell in cells if isinstance(cell, Cell) and _DECIMAL.fullmatch(cell.full)]
-    if len({(cell.ref.key, cell.ref.by, cell.ref.unit) for cell in numbers}) != 1:
+    """Numbers of one column of the results under one another, other cells as they are.
+
+    All have the decimals of the largest, as far as one of them needs them; where the smallest would lose its digits,
+    each has its own, with the zeros at its end.
+    """
+    numbers = [cell for cell in cells if isinstance(cell, Cell) and cell.to and _NUMBER.fullmatch(cell.full)]
+    if len(numbers) < 2 or len({(cell.ref.key, cell.ref.by, cell.ref.unit) for cell in numbers}) != 1:
         return cells
+    places = min(_decimals(max(numbers, key=_size).full), max(map(_decimals, numbers)))
     most, own = max(map(_decimals, numbers)), set(map(id, numbers))
-    return [_to(cell, most) if id(cell) in own else cell for cell in cells]
+    common = all(_kept(cell, places) for cell in numbers)
+    return [
+        _to(cell, places if common else min(most, _decimals(cell.full))) if id(cell) in own else cell
+        for cell in cells
+    ]
+
+
+def _size(cell: Cell) -> float:
+    return float(cell.full.lstrip("−-").replace(",", "."))
+
+
+def _kept(cell: Cell, places: int) -> bool:
+    """Whether a number keeps its digits, or three of them, to so many decimals."""
+    return _decimals(cell) <= places or _size(cell) * 10**places >= LEAST
 
 
 def _to(cell: Cell, places: int) -> Cell:
-    """The number with so many decimals, or as many as it was rounded to."""
-    known, own = _decimals(cell.full), _decimals(cell)
-    more = min(places, known) - own
-    return Cell(cell.full[: len(cell.full) - (known - own - more)], cell.ref, cell.full) if more > 0 else cell
+    return Cell(cell.to(places), cell.ref, cell.full, cell.to) if cell.to else cell
 
 
-_DECIMAL = re.compile(r"[−-]?\d+[.,]\d+")
+_NUMBER = re.compile(r"(?!0$)[−-]?\d+(?:[.,]\d+)?")  # but 0, which has no digits to be rounded
 _PLACES = re.compile(r"[.,](\d+)$")
 
 
@@ -169,16 +199,26 @@ def _decimals(text: str) -> int:
 def numeric(caption: Any, first: Column, columns: Sequence[Column]) -> Table:
     """A table of numbers, cut into parts as wide as the page; each begins with the first column.
 
-    A column of dashes alone is left out.
+    A column of dashes alone is left out; of noughts alone, too, and told below the table.
     """
+    first, columns = first.aligned, [column.aligned for column in columns]
     columns = [column for column in columns if not column.cells or any(c != DASH for c in column.cells)]
+    columns, nought = _telling(columns)
 
     def cut(paper: Paper) -> list[Part]:
         widths = [column.width(paper) for column in columns]
         blocks = _blocks(widths, paper.width - first.width(paper))
         return [part([first, *(columns[k] for k in block)], paper) for block in blocks]
 
-    return Table(caption, cut)
+    return Table(caption, cut, nought=nought)
+
+
+def _telling(columns: Sequence[Column]) -> tuple[list[Column], list[Any]]:
+    """Columns that are not all nought, and the letters of the others; where nothing else is left, all stay."""
+    telling = [column for column in columns if not column.nought]
+    if not telling:
+        return list(columns), []
+    return telling, [column.letter for column in columns if column.nought]
 
 
 def _blocks(widths: Sequence[float], room: float) -> list[range]:
@@ -206,11 +246,13 @@ def part(columns: Sequence[Column], paper: Paper = USUAL) -> Part:
 
 def packed(caption: Any, first: Column, lead: list[Column], groups: Sequence[list[Column]]) -> Table:
     """A table cut so that the columns of a group stand side by side; each part begins with the first columns."""
+    first, lead = first.aligned, [column.aligned for column in lead]
+    told = [_telling([column.aligned for column in group]) for group in groups]
 
     def cut(paper: Paper) -> list[Part]:
         room = paper.width - sum(column.width(paper) for column in (first, *lead))
         parts: list[list[Column]] = []
-        for group in groups:
+        for group, _ in told:
             width = sum(column.width(paper) for column in group)
             if parts and sum(column.width(paper) for column in parts[-1]) + width <= room:
                 parts[-1] += group
@@ -218,4 +260,4 @@ def packed(caption: Any, first: Column, lead: list[Column], groups: Sequence[lis
                 parts.append(list(group))
         return [part([first, *lead, *block], paper) for block in parts]
 
-    return Table(caption, cut)
+    return Table(caption, cut, nought=[letter for _, nought in told for letter in nought])

@@ -21,6 +21,7 @@ from tmm_report.mechanics.lever.vector_equations import turning_links
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Quantity, Value
+from tmm_report.quantity.text import ZERO
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Table, packed, worded
@@ -84,7 +85,16 @@ class MotionView(BookView):
                 continue
             end = "min" if larger(ends) is ends[0] else "max"
             key, text = f"{'VA'[order - 1]}_{travel.output.name}_{end}", GREATEST[kind]
+            if self._nought(2, travel.a_extremes):
+                if order == 1:
+                    yield self.t(UNIFORM[travel.output.kind], x=self.number(key, size=True))
+                continue
             yield self.t(text, x=self.number(key, size=True), at=self.turned(key))
+
+    def _nought(self, order: int, ends: Sequence[Any]) -> bool:
+        """Whether a rate is nothing but rounding beside that of the driving link."""
+        scale = abs(speed(self.found.linkage.mechanism).value) ** order
+        return max(abs(end.value) for end in ends) <= ZERO * max(1.0, scale)
 
     def unbounded(self, travel: Travel) -> list[Markup]:
         """Sentences on the rates that grow without bound."""
@@ -162,7 +172,11 @@ class MotionView(BookView):
 
     def extremes(self, caption: Any, travel: Travel) -> Table:
         rows = []
-        for quantity, (low, high) in zip(q.motion_of(travel.output), q.extremes(travel), strict=True):
+        for order, quantity, (low, high) in zip(
+            range(3), q.motion_of(travel.output), q.extremes(travel), strict=True
+        ):
+            if order and self._nought(order, (low, high)):
+                continue
             size = max(1.0, abs(low.value), abs(high.value))
             ends = [(self.page.cell(end, scale=size), self._at_side(end)) for end in (low, high)]
             rows.append([self.page.head(quantity.sign, quantity.printed), *ends[0], *ends[1]])
@@ -243,6 +257,10 @@ GREATEST = {
     ("slider", 2): N_("Its greatest acceleration is %(x)s m/s² at the angle of turn %(at)s°."),
     ("rocker", 1): N_("Its greatest angular velocity is %(x)s rad/s at the angle of turn %(at)s°."),
     ("rocker", 2): N_("Its greatest angular acceleration is %(x)s rad/s² at the angle of turn %(at)s°."),
+}
+UNIFORM = {
+    "slider": N_("Its velocity is constant, %(x)s m/s."),
+    "rocker": N_("Its angular velocity is constant, %(x)s rad/s."),
 }
 UNBOUNDED = {
     ("slider", 1): N_("Its velocity grows without bound towards the limit position."),

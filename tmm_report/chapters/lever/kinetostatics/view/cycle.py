@@ -202,12 +202,13 @@ class CycleView(BookView):
         table, works = self._works, self.found.works
         assert works is not None
         rows = []
-        for row, (of, done) in enumerate(q.named_works(self.found, works)):
-            size = max(done.driving, -done.resisting)
+        named = q.named_works(self.found, works)
+        scale = max((size for _, done in named for size in (done.driving, -done.resisting)), default=0.0)
+        for row, (of, _) in enumerate(named):
             cells: list[Any] = [self.page.sym(of.sign)]
             cells += [self.page.word(table[key].values[row] or "—", table, key, row) for key in _AT_KEYS]
             cells += [
-                self.page.cell(table, key, row, scale=max(size, 1e-300))
+                self.page.cell(table, key, row, scale=max(scale, 1e-300))
                 for key in ("driving", "resisting", "work")
             ]
             rows.append(cells)
