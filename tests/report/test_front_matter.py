@@ -12,6 +12,7 @@ from tmm_report.i18n import Translator
 from tmm_report.problems import Message
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.text import number
 from tmm_report.report import _conclusions
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
@@ -124,7 +125,7 @@ def test_what_failed_comes_first_in_the_conclusions():
 
 
 def cell(text: str, full: str, key: str = "h") -> Cell:
-    return Cell(text, Ref(key, 0, "arms"), full)
+    return Cell(text, Ref(key, 0, "arms"), full, lambda n: number(float(text), 5, ".", n, keep_zeros=True))
 
 
 def column_of(table, number: int) -> list[str]:
@@ -134,6 +135,18 @@ def column_of(table, number: int) -> list[str]:
 def test_zeros_at_the_end_stand_under_longer_decimals():
     rows = [["R", cell("27.4", "27.400")], ["P", cell("74.92", "74.920")], ["G", cell("5", "5.0000")]]
     assert column_of(worded("arms", ["force", "arm"], rows, [1, 1]), 1) == ["27.40", "74.92", "5.00"]
+
+
+def test_decimals_are_those_of_the_largest():
+    rows = [["R", cell("27.418", "27.418")], ["P", cell("274.92", "274.92")], ["G", cell("5.1234", "5.1234")]]
+    assert column_of(worded("arms", ["force", "arm"], rows, [1, 1]), 1) == ["27.42", "274.92", "5.12"]
+
+
+def test_noughts_are_told_below_the_table():
+    columns = [Column("v, m/s", ["0", "0"], "v"), Column("a, m/s²", ["0", "1"], "a"), Column("n", ["0", "0"])]
+    table = numeric("rates", Column("k", ["0", "1"]), columns)
+    assert (list(table.parts[0].head), table.nought) == (["k", "a, m/s²", "n"], ["v"])
+    assert not numeric("rates", Column("k", ["0", "1"]), columns[:1]).nought
 
 
 def test_no_digit_is_added_that_was_not_computed():

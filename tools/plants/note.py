@@ -3,7 +3,7 @@
 from faults import Fault
 
 DEPTH = ("tests/report/test_depth.py",)
-ALIKE = ("tests/page/test_alike.py",)
+ALIKE = ("tests/page/tables/test_alike.py",)
 FAULTS = (
     # --- pieces of the note ---
     Fault("what an appendix explains taken for explained", "tmm_report/report/numbering.py",

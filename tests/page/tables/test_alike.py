@@ -21,7 +21,7 @@ from printed import Printed, number, unit
 from reading import CHOSEN, html, results, wrong
 from test_against_results import NONE, PICTURE, Unknown, _following, cells, found, own_unit
 
-QUICK = [name for name in ("compressor", "parallelogram_drive") if name in CHOSEN]
+QUICK = [name for name in ("compressor", "parallelogram_drive") if name in CHOSEN] or CHOSEN[:1]
 each = pytest.mark.parametrize("name", many([*QUICK, *(n for n in CHOSEN if n not in QUICK)], len(QUICK)))
 NOISE = 1e-7  # below a tenth of what a length of the smallest link, in m, is printed to
 ERRORS = "method"  # tables of methods say how small their errors are
@@ -101,7 +101,8 @@ def step(text: str) -> float:
 
 
 def uneven(note: Note) -> Iterator[str]:
-    """Columns of one quantity whose numbers have other decimals than the largest, though three digits would stay."""
+    """Columns of one quantity whose numbers have other decimals than the largest, where three digits stay, or less
+    digits than the others, zeros at the end being lost."""
     for table in note.tables:
         for j, head in enumerate(table.heads):
             column = [cell for cell in table.column(j) if _counts(cell.printed, cell.text)]
@@ -112,7 +113,13 @@ def uneven(note: Note) -> Iterator[str]:
                 continue
             sizes = [abs(value(cell.text)) for cell in column]
             common = column[sizes.index(max(sizes))].printed
-            if common and min(sizes) * 10**common.places >= 99.5:
+            digits = min(5, max(cell.printed.digits for cell in column if cell.printed))
+            short = [
+                c
+                for c in column
+                if c.printed and c.printed.places < max(places) and c.printed.digits < digits
+            ]
+            if short or (common and min(sizes) * 10**common.places >= 99.5):
                 yield f"{table.where} {head.text!r}: {[cell.text for cell in column]}"
 
 
