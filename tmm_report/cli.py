@@ -366,6 +366,20 @@ def check(
 
 
 @app.command()
+def lint(
+    folder: Annotated[Path, typer.Argument(help="The folder of a note that was solved.", show_default=False)],
+    lang: Language = None,
+) -> None:
+    """Norm control of a note: references, numbers, units, drawings, margins; exit code 1 on a finding."""
+    with console_of(lang) as console:
+        console.stage(Message(N_("reading the note")))
+        from tmm_report.commands.lint import run
+
+        done = run(folder, console)
+    ended(done)
+
+
+@app.command()
 def assign(
     ranges: Annotated[Path, typer.Argument(help="YAML: a template and the ranges of its parameters.")],
     count: Annotated[

@@ -37,6 +37,7 @@ import faults_words  # noqa: E402
 from faults import Fault  # noqa: E402
 from plants import cams as faults_cams  # noqa: E402
 from plants import gears as faults_gears  # noqa: E402
+from plants import lint as faults_lint  # noqa: E402
 from plants import note as faults_depth  # noqa: E402
 from plants import paper as faults_paper  # noqa: E402
 from plants import stages as faults_stages  # noqa: E402
@@ -49,6 +50,7 @@ FAULTS = (
     *faults_note.FAULTS,
     *faults_depth.FAULTS,
     *faults_paper.FAULTS,
+    *faults_lint.FAULTS,
     *faults_gears.FAULTS,
     *faults_stages.FAULTS,
     *faults_edges.FAULTS,

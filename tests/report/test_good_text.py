@@ -1,10 +1,9 @@
-"""How the notes of all ready variants read: what they refer to and in which order, scales under drawings, sources."""
+"""How the notes of all ready variants read: sources, words (references, scales: `tests/lint/test_shipped_notes.py`)."""
 
 from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 from xml.etree.ElementTree import Element
@@ -22,47 +21,12 @@ from tmm_report.languages import LANGUAGES
 
 QUICK = ["compressor-ru", "governor_servo-en"]
 NOTES = [*QUICK, *sorted({f"{name}-{language}" for name in NAMES for language in LANGUAGES} - {*QUICK})]
-PLACE = re.compile(r"(figure|table)(\d+)")
-SCALED = re.compile(r"μ|:|not to scale|logarithmic|не в масштабе|без масштаба|логарифмические")
 each = pytest.mark.parametrize("name", many(NOTES, len(QUICK)))
 
 
 def page(name: str) -> Element:
     variant, _, language = name.rpartition("-")
     return read(note(variant, "html", language)["note.html"].decode()).root
-
-
-def told(root: Element) -> Iterator[tuple[str, str, int]]:
-    """What the note refers to and what stands in it, in its order: "said" or "drawn", kind, number. Of a range its
-    inner numbers are said, too."""
-    last: tuple[str, int] | None = None
-    for node in root.iter():
-        if node.tag == "a" and (match := PLACE.fullmatch((node.get("href") or "")[1:])):
-            kind, number = match[1], int(match[2])
-            first = last[1] + 1 if last and last[0] == kind else number
-            yield from (("said", kind, k) for k in range(first, number))
-            yield "said", kind, number
-            last = (kind, number) if (node.tail or "").startswith("–") else None
-        elif match := PLACE.fullmatch(node.get("id") or ""):
-            yield "drawn", match[1], int(match[2])
-
-
-@each
-def test_figures_and_tables_are_referred_to_before_they_stand(name):
-    said: set[tuple[str, int]] = set()
-    wrong = []
-    for what, kind, number in told(page(name)):
-        if what == "said":
-            said.add((kind, number))
-        elif (kind, number) not in said:
-            wrong.append(f"{kind} {number}")
-    assert not wrong
-
-
-@each
-def test_every_drawing_has_its_scale_under_it(name):
-    captions = [re.sub(r"\s+", " ", text_of(node)) for node in page(name).iter("figcaption")]
-    assert not [one for one in captions if not SCALED.search(one)]
 
 
 @each

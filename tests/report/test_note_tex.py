@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import subprocess
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from browser import wide_results
@@ -17,6 +18,8 @@ from tmm_report import solve
 from tmm_report.chapters.title.given import Title
 from tmm_report.commands.pdf import bare, compile_pdf
 from tmm_report.languages import LANGUAGES
+from tmm_report.lint import paper
+from tmm_report.lint.made import Made
 from tmm_report.loading import loads
 
 NOTES = many(["eccentric-en", "compressor-ru", "shaper-ru", "hoist_drive-ru", "scissor_lift-ru"], quick=0)
@@ -48,10 +51,9 @@ def test_no_overfull_boxes(log):
     assert overfull(log) == []
 
 
-def overfull(log: str) -> list[float]:
-    """What stands out of its line or page by more than a point."""
-    wide = [float(points) for points in re.findall(r"Overfull \\[hv]box \(([\d.]+)pt too", log)]
-    return [points for points in wide if points > 1]
+def overfull(log: str) -> list[str]:
+    """What stands out of its line or page, as the norm control reads it."""
+    return [one.text() for one in paper.overfull(Made({"note.log": log.encode()}, Path()))]
 
 
 @pytest.mark.exhaustive

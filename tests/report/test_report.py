@@ -171,31 +171,6 @@ def test_symbol_is_explained_once():
     assert [item["id"] for item in numbers.fresh(items)] == ["a", "b"] and numbers.fresh(items) == []
 
 
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("kind", ["Рисунок", "Таблица"])
-def test_figures_and_tables_are_numbered_without_gaps(name, kind):
-    numbers = [int(n) for n in re.findall(rf"{kind} (\d+) —", html(name))]
-    assert numbers == list(range(1, len(numbers) + 1))
-    assert len(numbers) > (7 if results(name).lever else 0)
-
-
-@pytest.mark.exhaustive
-@pytest.mark.parametrize("name", NAMES)
-def test_every_reference_leads_somewhere(name):
-    text = html(name)
-    assert set(re.findall(r'href="#([^"]+)"', text)) <= set(re.findall(r'id="([^"]+)"', text))
-    text = tex(name)
-    anchors = set(
-        re.findall(
-            r"\\Note(?:Section|Subsection|Subsubsection|Formula)\{([^}]+)\}|\\hypertarget\{([^}]+)\}", text
-        )
-    )
-    known = {anchor for pair in anchors for anchor in pair} | set(
-        re.findall(r"\\begin\{Note(?:Figure|Sheet)\}\{([^}]+)\}", text)
-    )
-    assert set(re.findall(r"\\hyperlink\{((?:section|formula|table|figure)[\d.-][^}]*)\}", text)) <= known
-
-
 @pytest.mark.exhaustive
 def test_both_formats_have_the_same_numbers():
     for kind in (

@@ -23,7 +23,12 @@ class TexFailed(Exception):
 
 
 def compile_pdf(files: Mapping[str, bytes]) -> bytes:
-    """Compile the files of `render(..., "tex")`. Raises NoTex, TexFailed, or OSError where there is no place to do it.
+    """The PDF of the files of `render(..., "tex")`; raises as `compiled` does."""
+    return compiled(files)["note.pdf"]
+
+
+def compiled(files: Mapping[str, bytes]) -> dict[str, bytes]:
+    """note.pdf and note.log, which says what did not fit. Raises NoTex, TexFailed, or OSError where there is no place.
 
     A student's text is escaped already; still pdflatex runs in an empty folder, may neither read nor write outside
     it, has no shell, and is stopped with all its children when its time is up.
@@ -36,7 +41,7 @@ def compile_pdf(files: Mapping[str, bytes]) -> bytes:
         for run in (bare(files), files):  # the second one fills in the page numbers of the contents
             write(run, Path(folder))
             _run(command, folder)
-        return Path(folder, "note.pdf").read_bytes()
+        return {name: Path(folder, name).read_bytes() for name in ("note.pdf", "note.log")}
 
 
 def bare(files: Mapping[str, bytes]) -> dict[str, bytes]:

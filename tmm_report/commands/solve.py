@@ -51,6 +51,7 @@ def run(
     no_pdf = _add_pdf(results, language, files, talk) if pdf else []
     changed = _put(folder, files, digest(__version__, text))
     good = summary(results, talk)
+    _control(files, folder, talk)
     talk.tell(written(*(folder / name for name in _shown(files))))
     tell_changed(folder, changed, talk)
     for line in no_pdf:
@@ -90,15 +91,13 @@ def _made(results: Results, formats: Sequence[str], language: str | None, talk: 
 def _add_pdf(
     results: Results, language: str | None, files: dict[str, bytes], talk: Talk
 ) -> list[Message | str]:
-    """Add note.pdf to the files; what went wrong, a line each, if it could not be made."""
-    from tmm_report.commands.pdf import NoTex, TexFailed, compile_pdf
+    """Add note.pdf and TeX's log to the files; what went wrong, a line each, if it could not be made."""
+    from tmm_report.commands.pdf import NoTex, TexFailed, compiled
 
     talk.stage(Message(N_("compiling the PDF")))
     source = files if "note.tex" in files else render(results, "tex", language)
     try:
-        files["note.pdf"] = compile_pdf(
-            {name: text for name, text in source.items() if name.endswith(".tex")}
-        )
+        files |= compiled({name: text for name, text in source.items() if name.endswith(".tex")})
     except NoTex:
         return [Message(NO_TEX)]
     except OSError as error:
@@ -126,6 +125,14 @@ def tell_changed(folder: Path, changed: Put, talk: Talk) -> None:
         text = N_("left as an earlier run wrote them, of another state of the variant: %(files)s")
         names = ", ".join(str(folder / name) for name in _shown(changed.left))
         talk.warn(Message(text, {"files": names}))
+
+
+def _control(files: dict[str, bytes], folder: Path, talk: Talk) -> None:
+    """The norm control of a note that was made."""
+    if "note.html" in files or "note.tex" in files:
+        from tmm_report.commands.lint import after_solve
+
+        after_solve(files, folder, talk)
 
 
 def _shown(files: Collection[str]) -> list[str]:

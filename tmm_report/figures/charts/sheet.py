@@ -18,6 +18,7 @@ from tmm_report.figures.charts.axes import (
     HEAD,
     NUMBERS,
     REGIMES,
+    RIGHT,
     TICK,
     Panel,
     figure,
@@ -228,9 +229,9 @@ def _regimes(graph: Graph) -> Iterator[Item]:
     foot = top.top + (NUMBERS if graph.positions else 0.0)
     places = [top.across(x) for x in graph.bounds]
     texts = [(figure(x, graph.comma),) for x in graph.bounds[1:]]
-    for x, at, text in zip(
-        places[1:], _apart(places[1:], [width(text, FIGURE) for text in texts]), texts, strict=True
-    ):
+    widths = [width(text, FIGURE) for text in texts]
+    within = [*places[1:-1], min(places[-1], top.right + RIGHT - 1.0 - widths[-1] / 2)]  # of the paper
+    for x, at, text in zip(places[1:], _apart(within, widths), texts, strict=True):
         yield line(complex(x, foot), complex(at, foot + 1.6), Pen(FRAME))
         yield Text(complex(at, foot + 2.0 + FIGURE / 2), text, FIGURE, 0)
     names = [(ROMAN[k],) for k in range(1, len(places))]

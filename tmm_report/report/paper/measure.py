@@ -32,6 +32,11 @@ def _advances() -> Mapping[str, Mapping[str, int]]:
     return found
 
 
+def known_letters() -> frozenset[str]:
+    """The letters that some face has."""
+    return frozenset().union(*_advances().values())
+
+
 def letters(text: str, face: str = "regular") -> float:
     """A text on one line. `face`: regular, bold, italic, math."""
     own, other = _advances()[face], _advances()["math"]

@@ -14,6 +14,7 @@ from test_dynamics_chapter import alone, book
 
 from tmm_report import course, loading
 from tmm_report.chapters.machine.dynamics import draw
+from tmm_report.figures.charts.axes import PAPER
 from tmm_report.i18n import Translator
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
@@ -222,6 +223,12 @@ def test_the_chart_bounds_the_regimes_at_their_times():
     marked = graph.curves[0].marked(graph.x)
     assert [x for x, _ in marked] == pytest.approx(table["t_end"].numbers()[:-2])
     assert [y for _, y in marked] == pytest.approx(table["omega_end"].numbers()[:-2], rel=1.01e-5)
+
+
+@pytest.mark.parametrize("name", ["hoist_start", "tram_start", "piston_pump"])
+def test_the_last_time_stays_on_the_paper(name):
+    graph = draw.joined(solved(name).dynamics, Page(Html(), Translator("ru"), Numbering()))
+    assert graph.drawing.size[0] <= PAPER
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,38 @@
+"""The norm control of all shipped variants in both languages: nothing is named."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from conftest import solved
+from exhaustive import many
+from notes import NAMES, note
+
+from tmm_report import render
+from tmm_report.languages import LANGUAGES
+from tmm_report.lint.checks import look
+from tmm_report.lint.made import Made
+
+QUICK = ["compressor-ru", "governor_servo-en"]
+NOTES = [*QUICK, *sorted({f"{name}-{language}" for name in NAMES for language in LANGUAGES} - {*QUICK})]
+LATER = (
+    "twice",
+    "disorder",
+    "noise",
+)  # digits of friction and conclusions, meshes and sliding, a cam's check
+
+
+def named(files: dict[str, bytes]) -> list[str]:
+    return [one.text() for one in look(Made(files, Path())).told if one.path[0] not in LATER]
+
+
+@pytest.mark.parametrize("name", many(NOTES, len(QUICK)))
+def test_nothing_is_named(name):
+    """As it is made by itself, and as it says all."""
+    variant, _, language = name.rpartition("-")
+    numbers = render(solved(variant), "json", language)
+    whole = note(variant, "html", language) | note(variant, "tex", language)
+    usual = render(solved(variant), "html", language) | render(solved(variant), "tex", language)
+    assert not named(numbers | whole)
+    assert not named(numbers | usual)
