@@ -123,7 +123,7 @@ OFFENCES = (
             every(TEX, r"\\hyperlink\{figure3\}\{3\}", "")),
     Offence("a figure named behind itself", "late", HTML,
             both(every(HTML, LINK.format("figure3"), ""),
-                 edit(HTML, r"(<figcaption>[^<]*3 – .*?</figure>)", r'\1<p><a href="#figure3">3</a></p>'))),
+                 edit(HTML, r"(<figcaption>[^<]*3 [–—] .*?</figure>)", r'\1<p><a href="#figure3">3</a></p>'))),
     Offence("a table named behind itself", "late", HTML,
             both(every(HTML, LINK.format("table3"), ""),
                  edit(HTML, r"(</main>)", r'<p><a href="#table3">3</a></p>\1'))),
@@ -156,7 +156,7 @@ OFFENCES = (
             edit(HTML, r'(<mn data-q="governor_F_0"[^>]*>)2440,9<', r"\g<1>2441<")),
     # --- drawings ---
     Offence("a drawing without its scale", "scale", HTML,
-            edit(HTML, r"(<figcaption>)[^<]*2 – .*?(</figcaption>)", r"\1Рисунок 2 – Регулятор\2")),
+            edit(HTML, r"(<figcaption>)[^<]*2 [–—] .*?(</figcaption>)", r"\1Рисунок 2 — Регулятор\2")),
     Offence("lettering on lettering", "lettering", HTML, letter("on a lettering")),
     Offence("lettering over the edge", "lettering", HTML, letter("at the edge")),
     Offence("a line through lettering", "crossed", HTML, line),

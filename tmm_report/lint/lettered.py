@@ -112,7 +112,7 @@ def _strokes(path: str) -> list[list[complex]]:
     return strokes
 
 
-_FLOAT = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d{1,2})?")
+_FLOAT = re.compile(r"-?\d{1,9}(?:\.\d{1,9})?(?:e[+-]?\d{1,2})?")
 
 
 def _arc(start: complex, numbers: list[float]) -> list[complex]:
@@ -120,10 +120,10 @@ def _arc(start: complex, numbers: list[float]) -> list[complex]:
     radius, _, _, large, sweep, x, y = numbers
     end = complex(x, -y)
     half = (end - start) / 2
-    if abs(half) == 0 or radius < abs(half):
+    if abs(half) == 0:
         return [end]
     clockwise = bool(sweep)  # y is down in SVG, and so is the sense of its angles
-    height = (radius**2 - abs(half) ** 2) ** 0.5 * (-1 if large else 1)
+    height = max(radius**2 - abs(half) ** 2, 0.0) ** 0.5 * (-1 if large else 1)  # a half turn, rounded, has 0
     centre = start + half + (-1j if clockwise else 1j) * half / abs(half) * height
     first, last = np.angle(start - centre), np.angle(end - centre)
     turn = (first - last if clockwise else last - first) % (2 * np.pi)

@@ -11,7 +11,9 @@ from itertools import islice
 from typing import NamedTuple
 from xml.etree.ElementTree import Element, ParseError, fromstring
 
+from tmm_report.profiles import Margins, Text
 from tmm_report.records import dataclass
+from tmm_report.report.paper.sheets import USUAL, Paper
 
 DEEPEST = 100  # elements within one another: mathematics has some twenty
 
@@ -68,9 +70,10 @@ class Picture(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Page:
-    """`names`: of each anchor what stands there is called."""
+    """`paper`: what the note is printed on; `names`: of each anchor what stands there is called."""
 
     language: str
+    paper: Paper
     root: Element
     steps: list[Step]
     names: dict[str, str]
@@ -88,7 +91,7 @@ class Page:
 _SVG = ' xmlns="http://www.w3.org/2000/svg"'
 _MAIN = re.compile(r"<main>.*</main>", re.S)
 _LANGUAGE = re.compile(r'<html lang="([a-z]{2})"')
-_CAPTION = re.compile(r"^(.{1,40}?) – ")
+_CAPTION = re.compile(r"^(.{1,40}?) [–—] ")
 
 
 def read(html: str) -> Page:
@@ -103,9 +106,25 @@ def read(html: str) -> Page:
         raise Unread(str(error).partition(":")[0], line) from None
     _see_shallow(root)
     language = _LANGUAGE.search(html[:200])
-    page = Page(language[1] if language else "", root, [], {}, [], [], [], [], {})
+    page = Page(
+        language[1] if language else "", _paper(html[: main.start()]), root, [], {}, [], [], [], [], {}
+    )
     _walk(page)
     return page
+
+
+def _paper(head: str) -> Paper:
+    """The paper as the style in the head of the note says it."""
+    size, sides = _LETTERS.search(head), _MARGINS.search(head)
+    if size is None or sides is None:
+        return USUAL
+    top, right, bottom, left = map(float, sides.groups())
+    return Paper(Margins(left, right, top, bottom), Text(float(size[1]), 1.0, 0.0, 0.0))
+
+
+_SIZE = r"(\d{1,3}(?:\.\d{1,3})?)"
+_LETTERS = re.compile(rf"^body {{ font-size: {_SIZE}pt", re.M)
+_MARGINS = re.compile(rf"^@page {{\s+margin: {_SIZE}mm {_SIZE}mm {_SIZE}mm {_SIZE}mm;", re.M)
 
 
 def _see_shallow(root: Element) -> None:

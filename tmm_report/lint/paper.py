@@ -10,10 +10,8 @@ from xml.etree.ElementTree import Element, tostring
 from tmm_report.lint.made import Made, line_at
 from tmm_report.lint.page import Picture, heads, rows
 from tmm_report.problems import N_, Message, Problem
-from tmm_report.report.paper.layout import TEXT_WIDTH, Column
-from tmm_report.report.paper.lines import LINE
+from tmm_report.report.paper.layout import Column
 from tmm_report.report.paper.measure import mathml
-from tmm_report.report.paper.sheets import SHEETS, fits, percent
 
 OVERFULL = 1.0  # pt: what stands out less is not seen
 SPARE = 0.5  # mm, em
@@ -24,20 +22,21 @@ def over_margin(made: Made) -> Iterator[Problem]:
     page = made.page
     if page is None:
         return
+    paper = page.paper
     for anchor, table in page.tables:
-        wide = sum(column.width for column in _columns(table))
-        if wide > TEXT_WIDTH + SPARE:
-            yield _wider(made, anchor, wide, TEXT_WIDTH)
+        wide = sum(column.width(paper) for column in _columns(table))
+        if wide > paper.width + SPARE:
+            yield _wider(made, anchor, wide, paper.width)
     for anchor, formula in page.formulas:
         wide = max(_lines(formula), default=0.0)
-        if wide > LINE + SPARE:
-            yield _wider(made, anchor, wide / LINE * TEXT_WIDTH, TEXT_WIDTH)
+        if wide > paper.line + SPARE:
+            yield _wider(made, anchor, wide / paper.line * paper.width, paper.width)
     for picture in page.pictures:
         size = _size(picture)
-        sheet = next((one for one in SHEETS if one.name in picture.sheet.split()), None)
-        held = fits(size) if sheet is None else sheet.holds(size) or percent(size) < 100
+        sheet = next((one for one in paper.sheets if one.name in picture.sheet.split()), None)
+        held = paper.fits(size) if sheet is None else sheet.holds(size) or paper.percent(size) < 100
         if not held:
-            yield _wider(made, picture.anchor, size[0], TEXT_WIDTH if sheet is None else sheet.field[0])
+            yield _wider(made, picture.anchor, size[0], paper.width if sheet is None else sheet.field[0])
 
 
 def _wider(made: Made, anchor: str, wide: float, room: float) -> Problem:
