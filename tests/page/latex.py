@@ -81,7 +81,7 @@ def commands(text: str, name: str, count: int) -> Iterator[list[str]]:
 
 def formulas(text: str) -> list[str]:
     """The displayed formulas in order."""
-    found = re.finditer(r"\\(NoteFormula|NoteDisplay)(?=\{)", text)
+    found = re.finditer(r"\\(NoteFormula|NoteDisplay|NoteBeside)(?=\{)", text)
     places = [
         (m.start(), m[1]) for m in found if not text[max(0, m.start() - 12) : m.start()].endswith("command{")
     ]

@@ -16,7 +16,7 @@ import numpy as np
 import yaml
 from conftest import path_of
 from note import Note
-from pages import BALANCING, by_positions, columns, rows_of, table_of
+from pages import BALANCING, by_positions, columns, table_of
 
 
 class Force(NamedTuple):
@@ -156,12 +156,13 @@ class Places:
 
     def __init__(self, note: Note, document: dict[str, Any]):
         self.found = table_of(document, "positions_table")
-        self.fixed = {}
-        for table in rows_of(note, "x", "y"):
-            if len(table.heads) == 3 and not by_positions(table):
-                for row in table.rows:
-                    assert row[1].printed and row[2].printed
-                    self.fixed[row[0].text] = complex(row[1].printed.value, row[2].printed.value)
+        parts: dict[str, dict[str, float]] = {}
+        for formula in note.formulas:
+            last = formula.numbers[-1][-1:]
+            if last and last[0].mark and last[0].mark.table == "fixed_points":
+                axis, _, point = formula.symbol.partition("_")
+                parts.setdefault(point, {})[axis] = last[0].printed.value
+        self.fixed = {point: complex(part["x"], part["y"]) for point, part in parts.items()}
 
     def __getitem__(self, point: str) -> np.ndarray | complex:
         if f"x_{point}" in self.found:

@@ -117,6 +117,28 @@ def test_a_piece_goes_where_it_is_told_to():
     assert len(kept) == 1 and not kept[0].startswith("A")
 
 
+@pytest.mark.parametrize(("note", "count"), [
+    ({}, 1), ({"plans": 2}, 2), ({"plans": 30}, 2), ({"depth": "full"}, 2), ({"depth": "full", "plans": 1}, 1),
+    ({"depth": "short", "plans": 2}, 2), ({"plans": 1, "body": ("plans.others",)}, 2),
+])  # fmt: skip
+def test_as_many_positions_have_their_plans_worked_out_as_is_said(note, count):
+    results = solved("crank_rocker")
+    found = [head for head in heads(noted(results, **note)) if "Plan of velocities" in head]
+    assert len(found) == count and any(head.endswith(f"position {results.lever.sample}") for head in found)
+
+
+def test_the_other_positions_are_compared_in_tables_alone():
+    results = solved("crank_rocker")
+    captions = {
+        depth: text("crank_rocker", depth).count("Comparison of the methods, position") for depth in DEPTHS
+    }
+    assert captions == {
+        "short": 1,
+        "course": len(results.lever.plans.drawn),
+        "full": len(results.lever.plans.drawn),
+    }
+
+
 def test_an_appendix_of_nothing_is_none():
     """A scotch yoke has no link whose angles a table could give."""
     note = noted(solved("scotch_yoke"), depth="full", appendix=("kinematics.angles",))
@@ -166,6 +188,8 @@ WRONG = {
     "no such chapter": ("appendix: [dragons]", "the note has no piece dragons", "kinematics"),
     "in two places": ("{body: [balancing], omit: [balancing]}", "to stand in two places", "once"),
     "no such depth": ("depth: deep", "", "course"),
+    "no plan": ("plans: 0", "", ""),
+    "plans by a word": ("plans: all", "", ""),
 }
 
 
@@ -185,4 +209,4 @@ def test_what_a_variant_states_is_read():
     more = "\nnote: {depth: short, body: [plans], omit: [spur.contour], symbols: list}\n"
     found = loads((VARIANTS / "crank_rocker.yaml").read_text("utf-8") + more).note
     assert found == Note("short", ("plans",), (), ("spur.contour",), True)
-    assert found.stand("plans.values") == "body" and found.stand("spur.contour") == "omit"
+    assert found.stand("plans.others") == "body" and found.stand("spur.contour") == "omit"

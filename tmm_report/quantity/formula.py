@@ -350,11 +350,10 @@ def arccos(argument: Operand) -> Expr:
 @dataclass(frozen=True, eq=False)
 class Formula:
     """`result` = expression in symbols = in numbers = value, unit.
-
     `index`: the position printed where values are arrays (..., P). Unit "deg": the value is in rad, printed
     in degrees. `hand`: the printed value is computed from the numbers as printed, so that a reader's calculator
     agrees. `scale`: the size against which a value is noise (1e-9 of it prints 0); None: the largest, at least 1.
-    `ref`: where the value stands in the results; `meaning`: of the result, for a list of symbols.
+    `ref`: where the value stands in the results; `meaning`: of the result, for a list of symbols; `numbers`: put in.
     """
 
     result: Symbol | str
@@ -366,6 +365,7 @@ class Formula:
     scale: float | None = None
     ref: Ref | None = None
     meaning: Message | None = None
+    numbers: bool = True
 
     @cached_property
     def value(self) -> Value:
@@ -410,7 +410,7 @@ class Formula:
     def _sides(self, form: Latex | MathML) -> list[list[str]]:
         pages = [Page(form, numbers, self.index, self.digits) for numbers in (False, True)]
         value = pages[1].number(self.shown, self.digits, self.unit == "deg", self.scale, self.ref)
-        if value.zero and self._nothing_divided():
+        if not self.numbers or (value.zero and self._nothing_divided()):
             pages = pages[:1]
         return [*(list(self.expression.terms(page)) for page in pages), [value.text]]
 

@@ -1,4 +1,4 @@
-"""The table that compares the graph-analytical method with the analytical one."""
+"""The table that compares the graph-analytical method with the analytical one, and a student's own numbers too."""
 
 from __future__ import annotations
 
@@ -7,20 +7,56 @@ from typing import Any
 
 from tmm_report.quantity import model
 from tmm_report.quantity.model import Quantity
+from tmm_report.quantity.text import short_and_full
+from tmm_report.quantity.written import DIGITS, PLACES, decimals
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Cell, Table, worded
+from tmm_report.report.paper.layout import DASH, Cell, Table, worded
+
+NOTHING = "≈ 0"  # where both are zero within the reading
+PER_CENT = 2  # decimals of a difference
 
 
 def comparison_table(
-    page: Page, caption: Any, table: model.Table, named: Mapping[str, Quantity], position: int
+    page: Page,
+    caption: Any,
+    table: model.Table,
+    named: Mapping[str, Quantity],
+    position: int,
+    segments: Mapping[str, Cell] | None = None,
+    own: model.Table | None = None,
 ) -> Table:
-    """`table`: of the results, a row a quantity, with "graph", "analytic" and "delta"; `named`: its quantities."""
-    rows = _compared(page, table, named, position, "≈ 0", range(len(table)))
+    """`table`: of the results, a row a quantity, with "graph", "analytic" and "delta"; `named`: its quantities.
+
+    `segments`: what was measured, mm, by the keys of the quantities, where it is told here; `own`: the same table of a
+    student's own numbers, which stand in the rows of their quantities.
+    """
     heads = [
-        page.t("Quantity"), page.t("Graph-analytical method"), page.t("Analytical method"),
-        page.t("Difference, %%"),
+        page.t("Quantity"), page.t("Graphical"), page.t("Analytical"), page.t("Difference, %%"),
     ]  # fmt: skip
-    return worded(caption, heads, rows, (3, 3, 3, 2))
+    rows = {
+        str(key): _compared(page, table, named, position, row) for row, key in enumerate(table["key"].values)
+    }
+    shares = [3, 3, 3, 2]
+    if segments is not None:
+        heads.insert(1, page.t("Segment, mm"))
+        shares.insert(1, 3)
+        for key, row in rows.items():
+            row.insert(1, segments.get(key, DASH))
+    if own is not None:
+        heads += [page.t("Own value"), page.t("its δ, %%")]
+        shares += [3, 2]
+        for key, row in rows.items():
+            row += _own(page, own, key, position)
+    return worded(caption, heads, rows.values(), shares)
+
+
+def _own(page: Page, own: model.Table, key: str, position: int) -> tuple[Any, Any]:
+    """A student's number of a quantity, the first of its name, and its difference; dashes where there is none."""
+    keys = list(own["key"].values)
+    if key not in keys:
+        return DASH, DASH
+    row = keys.index(key)
+    return _number(page, own, key, position, row, "graph"), _delta(page, own, key, position, row, DASH)
 
 
 def own_numbers_table(
@@ -29,27 +65,14 @@ def own_numbers_table(
     table: model.Table,
     named: Mapping[str, Quantity],
     position: int,
-    said: Sequence[Any],
     chosen: Sequence[int],
-    analytic: bool,
 ) -> Table:
-    """The same of a student's own numbers, of the `chosen` rows, with what is `said` of each in the last column.
-
-    `analytic`: whether the analytical values stand beside them; not where another table has them."""
-    rows = _compared(page, table, named, position, "—", chosen)
+    """A student's own numbers against the analytical ones: of the `chosen` rows."""
     heads = [
-        page.t("Quantity"), page.t("Own value"), page.t("Analytical method"), page.t("Difference, %%"),
-        page.t("Result"),
+        page.t("Quantity"), page.t("Own value"), page.t("Analytical"), page.t("Difference, %%"),
     ]  # fmt: skip
-    kept = [0, 1, 2, 3, 4] if analytic else [0, 1, 3, 4]
-    lines = [[*row, one] for row, one in zip(rows, said, strict=True)]
-    shares = (3, 3, 3, 2, 4)
-    return worded(
-        caption,
-        [heads[i] for i in kept],
-        [[line[i] for i in kept] for line in lines],
-        [shares[i] for i in kept],
-    )
+    rows = [_compared(page, table, named, position, row, DASH) for row in chosen]
+    return worded(caption, heads, rows, (3, 3, 3, 2))
 
 
 def _compared(
@@ -57,20 +80,31 @@ def _compared(
     table: model.Table,
     named: Mapping[str, Quantity],
     position: int,
-    without: str,
-    chosen: Sequence[int],
-) -> list[list[Any]]:
+    row: int,
+    without: str = NOTHING,
+) -> list[Any]:
     """Quantity, both values and the difference; `without`: what is printed where there is none."""
+    key = table["key"].values[row]
     return [
-        [
-            page.head(named[key].sign, named[key].unit),
-            *(Cell(page.num(table[by].values[row]), table.by_key(key, by, position)) for by in ("graph", "analytic")),
-            Cell(_delta(page, table["delta"].values[row], without), table.by_key(key, "delta", position)),
-        ]
-        for row, key in ((row, table["key"].values[row]) for row in chosen)
-    ]  # fmt: skip
+        page.head(named[key].sign, named[key].unit),
+        *(_number(page, table, key, position, row, by) for by in ("graph", "analytic")),
+        _delta(page, table, key, position, row, without),
+    ]
 
 
-def _delta(page: Page, delta: float, without: str) -> str:
+def _number(page: Page, table: model.Table, key: str, position: int, row: int, by: str) -> Cell:
+    """What was worked by hand has three decimals or the digits that it needs, the analytical value its five digits."""
+    x = float(table[by].values[row])
+    short, full = short_and_full(x, DIGITS, page.tr.decimal)
+    if by == "graph" and x:
+        places = min(PLACES, max(0, decimals(abs(x))))
+        few = short_and_full(x, DIGITS, page.tr.decimal, places)[1]
+        full = few if len(few) > len(short) else short
+    return Cell(full if x else short, table.by_key(key, by, position))
+
+
+def _delta(page: Page, table: model.Table, key: str, position: int, row: int, without: str) -> Cell:
     """Without one, nan, both are zero within the reading, or their signs are opposite."""
-    return page.num(delta, places=2) if delta == delta else without
+    delta = table["delta"].values[row]
+    text = without if delta != delta else short_and_full(float(delta), 5, page.tr.decimal, PER_CENT)[1]
+    return Cell(text, table.by_key(key, "delta", position))

@@ -45,8 +45,8 @@ from tmm_report.resources import data_root
 P = ParamSpec("P")
 T = TypeVar("T")
 _POINTS = re.compile(
-    r"[A-Z]\d{0,2}(?:, [A-Z]\d{0,2})*"
-)  # names of points as a mechanism has them, or a list of such
+    r"(?:[A-Z]\d{0,2}){1,2}(?:, (?:[A-Z]\d{0,2}){1,2})*"
+)  # names of points as a mechanism has them, of segments by their ends, or a list of such
 LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _VALUE = re.compile(r"%(?:\((\w+)\)[sd]|%)")
 
@@ -383,6 +383,11 @@ class Page:
         """A translated word or a name that stands for a cell of the results."""
         ref = table.ref(key, row)
         return Words(text, ref) if isinstance(text, Markup) else Cell(text, ref)
+
+    def named(self, table: Table, key: str, row: int) -> Cell:
+        """The name of a point, or names of points, that stand in a cell of the results; a dash for none."""
+        text = table[key].values[row]
+        return Cell(_indexed(text) if text else layout.DASH, table.ref(key, row))
 
     def shown(self, of: Value | Table, *args: Any, **form: Any) -> Markup:
         """`cell` in running text."""

@@ -27,13 +27,20 @@ class Title(Protocol):
 
 
 class Note(Protocol):
-    """How much the note says: whether letters are `listed` in front, whether nothing is left out."""
+    """How much the note says: whether letters are `listed` in front, whether nothing is left out, whether `every`
+    formula is worked out or one of each kind; of how many positions the plans are, None: of one."""
 
     @property
     def listed(self) -> bool: ...
 
     @property
     def whole(self) -> bool: ...
+
+    @property
+    def every(self) -> bool: ...
+
+    @property
+    def plans(self) -> int | None: ...
 
     def stand(self, piece: str) -> str:
         """Where a piece stands: `body`, `appendix` or `omit`."""
@@ -42,7 +49,8 @@ class Note(Protocol):
 class Whole:
     """A note that says all."""
 
-    listed = whole = True
+    listed = whole = every = True
+    plans: int | None = None
 
     def stand(self, piece: str) -> str:
         return "body"

@@ -8,7 +8,15 @@ from functools import cached_property
 import numpy as np
 
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.schemes.scheme import Arrays, Drawn, groups_apart, positions_scheme, scheme
+from tmm_report.figures.schemes.scheme import (
+    GROUPS_PAGE,
+    Arrays,
+    Drawn,
+    groups_apart,
+    in_text,
+    positions_scheme,
+    scheme,
+)
 from tmm_report.figures.schemes.strokes import Stroke
 from tmm_report.figures.schemes.ties import Tie
 from tmm_report.mechanics.lever.assur_groups import Group
@@ -36,9 +44,18 @@ class Schemes:
         self.count, self.scale, self.ties = count, scale, ties
 
     def one(self, position: int) -> Drawing:
+        return self._drawn(position, self.scale)
+
+    def _drawn(self, position: int, scale: float) -> Drawing:
         places, turns = self._whole
         zero = complex(self.table.turn(self.mechanism.driver.link)[0])
-        return scheme(self.mechanism, places, turns, self.scale, position, zero, ties=self.ties)
+        return scheme(self.mechanism, places, turns, scale, position, zero, ties=self.ties)
+
+    def in_text(self, position: int) -> Drawn:
+        """One position at the scale of the schemes, or at a coarser one where it does not fit the text at it."""
+        places, _ = self._whole
+        here = {point: place[position : position + 1] for point, place in places.items()}
+        return in_text(lambda mu: self._drawn(position, mu), self.scale, here, GROUPS_PAGE)
 
     def all(self, position: int, strokes: Sequence[Stroke] = ()) -> Drawing:
         """All positions, one of them drawn in full; working `strokes` are marked."""

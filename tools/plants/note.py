@@ -4,6 +4,8 @@ from faults import Fault
 
 DEPTH = ("tests/report/test_depth.py",)
 ALIKE = ("tests/page/tables/test_alike.py",)
+KINDS = ("tests/report/test_kinds.py",)
+TRANSLATE = ("tests/chapters/lever/test_translating_links.py",)
 FAULTS = (
     # --- pieces of the note ---
     Fault("what an appendix explains taken for explained", "tmm_report/report/numbering.py",
@@ -36,4 +38,29 @@ FAULTS = (
     Fault("works beside their own size", "tmm_report/chapters/lever/kinetostatics/view/cycle.py",
           "self.page.cell(table, key, row, scale=max(scale, 1e-300))",
           "self.page.cell(table, key, row, scale=1e-300)", variants="slot_by_slider", tests=ALIKE),
+    Fault("plans of one position whatever is asked for", "tmm_report/chapters/lever/plans/view.py",
+          "ranked[: page.note.plans or 1]", "ranked[:1]", tests=DEPTH),
+    Fault("plans of other positions though they are not asked for", "tmm_report/chapters/title/given.py",
+          'if piece == "plans.others" and self.plans is not None:', 'if False:', tests=DEPTH),
+    # --- one formula of each kind ---
+    Fault("the value of a formula left out with another sign", "tmm_report/quantity/terms/kinds.py",
+          "formula.written, formula.unit", "-formula.written, formula.unit", "compressor",
+          ("tests/report/test_shorter_notes.py", *KINDS)),
+    Fault("formulas of other operations taken for one kind", "tmm_report/quantity/terms/kinds.py",
+          "own: list[Hashable] = [type(node).__name__]", "own: list[Hashable] = []", tests=KINDS),
+    Fault("other quantities taken for one kind", "tmm_report/quantity/terms/kinds.py",
+          "(sign.base, sign.sup, var.unit)", '("", sign.sup, var.unit)', tests=KINDS),
+    Fault("one of a kind left out within its own group", "tmm_report/quantity/terms/kinds.py",
+          "here) != here:", 'here) != "":', tests=KINDS),
+    # --- one table a position compares ---
+    Fault("segments of another position beside the values of a plan", "tmm_report/chapters/lever/plans/view.py",
+          "self.page.cell(read, ends, row,", "self.page.cell(read, ends, row - 1,"),
+    Fault("an own value in the row of another quantity", "tmm_report/report/comparison.py",
+          "row = keys.index(key)", "row = keys.index(key) - 1", "compressor"),
+    Fault("numbers of the plans listed among the others, too", "tmm_report/chapters/lever/readings/view.py",
+          "if one.key not in known", "if True", tests=("tests/chapters/lever/test_readings.py",)),
+    Fault("links that turn said to translate", "tmm_report/chapters/lever/kinematics/view/motion.py",
+          "initial=0.0) <= least)", "initial=0.0) >= least)", tests=TRANSLATE),
+    Fault("the scheme in the text at a coarser scale than is said", "tmm_report/report/schemes.py",
+          "self._drawn(position, mu)", "self._drawn(position, 2 * mu)", "compressor"),
 )  # fmt: skip

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import re
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 import yaml
 from conftest import read
 from notes import VARIANTS, render
 from typer.testing import CliRunner
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "page"))
+from note import read as page_of
 
 from tmm_report import course, loading
 from tmm_report.cli import app
@@ -106,14 +111,19 @@ def test_the_terminal_names_each_with_its_line_and_ends_with_1(tmp_path):
 
 
 @pytest.mark.exhaustive
-def test_the_note_names_them_too():
+def test_the_note_has_them_beside_the_plans_without_a_verdict():
+    """In the rows of their quantities, with their differences; who is right, `grade` and the terminal say."""
     results = own({7: {"v_B": 4444, "v_D": 6.818}})
-    for language, said in (("en", "millimetres given for metres"), ("ru", "миллиметр")):
+    for language in ("en", "ru"):
         note = render(results, "html", language)["note.html"].decode()
-        assert said in note
-        assert (
-            note.count('data-t="readings_7"') == 4
-        )  # own value and difference: the rest stands in the comparison
+        assert "millimetres given for metres" not in note and "миллиметр" not in note
+        assert note.count('data-t="readings_7"') == 4  # own value and difference
+        rows = [row for row in re.findall(r"<tr>.*?</tr>", note, re.S) if 'data-t="readings_7"' in row]
+        keys = [
+            set(re.findall(r'data-q="(\w+)" data-k="7" data-t="(?:comparison|readings)_7"', row))
+            for row in rows
+        ]
+        assert keys == [{"v_B"}, {"v_D"}]
     silent = replace(results.lever, readings=None)
     assert "readings_7" not in render(replace(results, lever=silent), "html")["note.html"].decode()
 
@@ -139,7 +149,7 @@ def test_each_row_has_the_number_of_its_own_position_and_their_difference():
 
 @pytest.mark.exhaustive
 def test_what_the_plans_are_compared_in_is_not_printed_again():
-    """Values of the plans in the order of their comparison, without the analytical ones; others with them."""
+    """Values of the plans in their comparison, in its order; others with the analytical ones beside them."""
     results = own({7: {"w_2": 36.79, "M_bal": 164.3, "v_B": 4.444}, 3: {"v_B": 12.566}})
     note = render(results, "html", "en")["note.html"].decode()
     marks = [
@@ -148,20 +158,26 @@ def test_what_the_plans_are_compared_in_is_not_printed_again():
         if mark[2] != "delta"
     ]
     assert marks == [
-        ("v_B", "3", "graph"), ("v_B", "3", "analytic"),
-        ("v_B", "7", "graph"), ("w_2", "7", "graph"), ("M_bal", "7", "graph"), ("M_bal", "7", "analytic"),
+        ("v_B", "7", "graph"), ("w_2", "7", "graph"), ("v_B", "3", "graph"), ("v_B", "3", "analytic"),
+        ("M_bal", "7", "graph"), ("M_bal", "7", "analytic"),
     ]  # fmt: skip
 
 
 @pytest.mark.exhaustive
-def test_each_row_is_said_right_or_wrong_by_its_own_number():
+def test_each_own_value_has_its_own_difference_and_the_others_a_dash():
     results = own({7: {"w_2": 36.79, "v_B": 5.0, "v_A": 12.566}})
     note = render(results, "html", "en")["note.html"].decode()
-    said = re.findall(
-        r'data-q="(\w+)" data-k="7" data-t="readings_7" data-by="delta">[^<]*</td><td[^>]*>([^<]*)<', note
+    table = next(
+        one for one in page_of(note).tables if one.caption.endswith("Comparison of the methods, position 7")
     )
-    unsigned = "right in magnitude, no sense given"
-    assert said == [("v_A", "right"), ("v_B", "wrong"), ("w_2", unsigned)]
+    said = {row[2].mark.key: (row[-2].text, row[-1].text) for row in table.rows}
+    values = results.lever.kinematics.values
+    for key, own_value in (("w_2", 36.79), ("v_B", 5.0), ("v_A", 12.566)):
+        right = abs(values[key][7])
+        difference = 200 * (own_value - right) / (own_value + right)
+        assert float(said[key][0]) == own_value
+        assert float(said[key][1].replace("−", "-")) == pytest.approx(difference, abs=0.0051)
+    assert {key for key, cells in said.items() if cells == ("—", "—")} == set(said) - {"w_2", "v_B", "v_A"}
 
 
 @pytest.mark.parametrize("name", ["ω2", "w_2", "omega_2", "w2"])

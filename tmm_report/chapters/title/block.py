@@ -47,6 +47,12 @@ class NoteModel(Model):
         default_factory=list, description="pieces, or chapters, whose pieces stand in an appendix"
     )
     omit: Pieces = Field(default_factory=list, description="pieces, or chapters, whose pieces are left out")
+    plans: int | None = Field(
+        default=None,
+        ge=1,
+        le=36,
+        description="how many positions have their plans drawn and worked out; the others stand in tables alone",
+    )
     symbols: Literal["where", "list"] | None = Field(
         default=None, description="letters explained under their formulas alone, or listed in front, too"
     )
@@ -82,7 +88,9 @@ def given(read: Read) -> Given:
 
 def _note(stated: NoteModel) -> Note:
     listed = None if stated.symbols is None else stated.symbols == "list"
-    return Note(stated.depth, tuple(stated.body), tuple(stated.appendix), tuple(stated.omit), listed)
+    return Note(
+        stated.depth, tuple(stated.body), tuple(stated.appendix), tuple(stated.omit), listed, stated.plans
+    )
 
 
 def mistakes(read: Read) -> Iterator[Problem]:

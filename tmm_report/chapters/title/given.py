@@ -25,13 +25,15 @@ class Title:
 @dataclass(frozen=True)
 class Note:
     """How much the note says. `body`, `appendix`, `omit`: pieces, or chapters, that stand elsewhere than at the
-    `depth`; `symbols`: whether letters are explained under their formulas alone, or listed in front, too."""
+    `depth`; `symbols`: whether letters are explained under their formulas alone, or listed in front, too; `plans`: how
+    many positions have their plans worked out, None: one, and those that a piece of the note lets in."""
 
     depth: Depth = "course"
     body: tuple[str, ...] = ()
     appendix: tuple[str, ...] = ()
     omit: tuple[str, ...] = ()
     symbols: bool | None = None
+    plans: int | None = None
 
     def stand(self, piece: str) -> Stand:
         """Where a piece of the note stands: what is stated of itself, else of its chapter, else by the depth."""
@@ -41,12 +43,19 @@ class Note:
             for stand, names in stated:
                 if name in names:
                     return stand
+        if piece == "plans.others" and self.plans is not None:
+            return "omit"
         return "body" if self.depth == "full" else getattr(PIECES[piece], self.depth)
 
     @property
     def listed(self) -> bool:
         """Whether there is a list of symbols."""
         return self.depth == "full" if self.symbols is None else self.symbols
+
+    @property
+    def every(self) -> bool:
+        """Whether every formula is worked out, not only one of each kind."""
+        return self.depth == "full"
 
     @property
     def whole(self) -> bool:

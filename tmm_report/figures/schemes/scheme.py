@@ -23,7 +23,7 @@ from tmm_report.figures.schemes.view import Arrays, View, view_of
 from tmm_report.mechanics.lever.mechanism import Mechanism
 
 PAGE = (165.0, 228.0)  # what a drawing may fill of a sheet, mm
-GROUPS_PAGE = (165.0, 130.0)  # what the groups taken apart may fill
+GROUPS_PAGE = (165.0, 130.0)  # what the groups taken apart, or one position, may fill
 
 Group = tuple[str, Sequence[str]]  # its name as it is printed, its links ("0" with the driving link)
 
@@ -121,8 +121,16 @@ def groups_apart(
     def draw(mu: float) -> Drawing:
         return Drawing(_apart(view_of(mechanism, places, turns, mu, position), groups))
 
+    return in_text(draw, least, places, PAGE)
+
+
+def in_text(
+    draw: Callable[[float], Drawing], least: float, places: Arrays, page: tuple[float, float]
+) -> Drawn:
+    """A drawing at the scale `least`, m/mm, if it fits the `page` at it, else at the finest standard scale at which it
+    fits a part of one."""
     drawn = draw(least) if least else None
-    if drawn is not None and _fits(drawn, PAGE):
+    if drawn is not None and _fits(drawn, page):
         return Drawn(least, drawn)
     return _fitting(max(least, _span(places) / PAGE[0]), draw, GROUPS_PAGE)
 

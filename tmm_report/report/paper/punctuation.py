@@ -10,14 +10,18 @@ import re
 
 _HTML = (
     # formula, then a formula or its explanation
-    (r'(</math>(?:</span>)?)(</div>(?:<div class="number">[^<]*</div>)?</div>\s*)'
-     r'(?=<p class="where">|<div class="formula")', r"\1,\2"),
+    (r'(</math>(?:</span>)?)(</div>(?:<div class="number">[^<]*</div>)?</div>\s*(?:</div>\s*)?)'
+     r'(?=<p class="where">|<div class="formula"|<div class="beside">)', r"\1,\2"),
     (r'\.(</p>\s*<p class="where">)', r",\1"),
     (r'(</table>\s*</div>\s*</div>\s*<p class="where"><span class="item">)WHERE ', r"\1HERE "),
     (r'(:</p>\s*<p class="where"><span class="item">)WHERE ', r"\1"),
 )  # fmt: skip
 _TEX = (
-    (r"^(\\Note(?:Formula|Display)\{.*)\}(\s*)(?=\\NoteWhere WHERE |\\Note(?:Formula|Display)\{)", r"\1,}\2"),
+    (
+        r"^(\\Note(?:Formula|Display|Beside)\{.*)\}((?:\s|\\NoteEnd)*)"
+        r"(?=\\NoteWhere WHERE |\\Note(?:Formula|Display|Beside)\{|\\NoteBegin)",
+        r"\1,}\2",
+    ),
     (r"\.(\s*\\NoteWhere WHERE )", r",\1"),
     (r"(\\end\{Note(?:Long)?Table\}\s*\\NoteWhere )WHERE ", r"\1HERE "),
     (r"(:\s*\\NoteWhere )WHERE ", r"\1"),

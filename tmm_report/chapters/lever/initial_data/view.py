@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,15 +14,17 @@ from markupsafe import Markup
 from tmm_report.chapters.lever.initial_data import quantities as q
 from tmm_report.chapters.lever.schemes import schemes_of
 from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.schemes.scheme import Drawn
 from tmm_report.mechanics.calculus.motion_laws import Harmonic, Polynomial
 from tmm_report.mechanics.lever.driving.stroke import Stroke
 from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Link, Mechanism, ZeroAngle, ZeroExtreme
 from tmm_report.problems import N_
-from tmm_report.quantity.formula import PI, Formula
+from tmm_report.quantity.formula import PI, Formula, Var
 from tmm_report.quantity.model import Book, variable
 from tmm_report.report.chapter_view import BookView
+from tmm_report.report.diagrams import scale_of
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
+from tmm_report.report.paper.layout import DASH, Cell, Table, worded
 from tmm_report.report.part import Part
 from tmm_report.report.schemes import Schemes
 from tmm_report.report.words import sense
@@ -172,18 +175,46 @@ class InitialData(BookView):
         turns, angle = (self.number(key, places=0) for key in ("turns", "phi_cycle"))
         return self.t(text, turns=turns, angle=angle, time=self.number("T_cycle"))
 
-    def scheme(self) -> Drawing:
-        return self.schemes.one(self.position)
+    @cached_property
+    def scheme(self) -> Drawn:
+        return self.schemes.in_text(self.position)
+
+    def scheme_scale(self) -> Var:
+        """mu_l with the scale at which the scheme is drawn."""
+        return scale_of("mu_l", self.scheme.mu, "m/mm")
 
     # ------------------------------------------------------------ tables
 
-    def dimensions(self, caption: Any) -> Table:
-        """Points of the links, and their distances from the link's first point."""
+    def links(self, caption: Any) -> Table:
+        """Of every link its points, their distances from its first point, mass, mass centre and moment of inertia."""
+        sized = {link.name: link for link in q.sized_links(self.mechanism.real)}
+        heavy = list(self.table("masses")["link"].values) if self.heavy else []
         rows = [
-            [link.name, ", ".join(link.points), self._sizes(link)]
-            for link in q.sized_links(self.mechanism.real)
+            [name, *self._measures(sized.get(name)), *(self._mass(heavy, name) if heavy else ())]
+            for name in self.mechanism.real.moving
+            if name in sized or name in heavy
         ]
-        return worded(caption, [self.t("Link"), self.t("Points"), self.t("Dimensions")], rows, (1, 2, 7))
+        heads = [self.t("Link"), self.t("Points"), self.t("Dimensions")]
+        shares = [1.0, 2.0, 7.0]
+        if heavy:
+            masses = self.table("masses")
+            mass, inertia = (
+                self.page.head(masses[key].symbol(), masses[key].quantity.printed) for key in ("m", "J")
+            )
+            heads += [mass, self.t("Mass centre"), inertia]
+            shares += [1.5, 1.5, 2.0]
+        return worded(caption, heads, rows, shares)
+
+    def _measures(self, link: Link | None) -> tuple[Any, Any]:
+        return (self.page.listed(link.points), self._sizes(link)) if link else (DASH, DASH)
+
+    def _mass(self, heavy: Sequence[Any], name: str) -> tuple[Any, ...]:
+        """Mass, mass centre and moment of inertia of a link; dashes where it has none."""
+        if name not in heavy:
+            return DASH, DASH, DASH
+        table, row = self.table("masses"), heavy.index(name)
+        centre = self.page.named(table, "mass_centre", row)
+        return self.page.cell(table, "m", row), centre, self.page.cell(table, "J", row)
 
     def _sizes(self, link: Link) -> Markup:
         table = self.table("dimensions")
@@ -199,14 +230,13 @@ class InitialData(BookView):
     def many_fixed(self) -> bool:
         return len(self.mechanism.links[FRAME].points) > 1
 
-    def fixed_points(self, caption: Any) -> Table:
+    def fixed_points(self) -> Markup:
+        """The fixed points with their coordinates."""
         table = self.table("fixed_points")
-        columns = [self.page.singles(table, key) for key in ("x", "y")]
-        return numeric(caption, self._names(table, "point", self.t("Point")), columns)
-
-    def _names(self, table: Any, key: str, head: Markup) -> Column:
-        cells = [self.page.word(name, table, key, row) for row, name in enumerate(table[key].values)]
-        return Column(head, cells)
+        rows = range(len(table))
+        return self.page.listed(
+            (self.page.values(table.var(key, row) for key in ("x", "y")) for row in rows), "; "
+        )
 
     @property
     def heavy(self) -> bool:
@@ -217,16 +247,6 @@ class InitialData(BookView):
     def inert(self) -> bool:
         """Whether a link has a moment of inertia."""
         return any(link.inertia for link in q.heavy_links(self.mechanism))
-
-    def masses(self, caption: Any) -> Table:
-        table = self.table("masses")
-        centres = [
-            self.page.word(name or "—", table, "mass_centre", row)
-            for row, name in enumerate(table["mass_centre"].values)
-        ]
-        mass, inertia = (self.page.singles(table, key) for key in ("m", "J"))
-        columns = [mass, Column(self.t("Mass centre"), centres), inertia]
-        return numeric(caption, self._names(table, "link", self.t("Link")), columns)
 
     def said(self) -> list[Formula]:
         """Masses and moments of inertia that the assignment states by lengths and other masses."""
@@ -281,12 +301,12 @@ class InitialData(BookView):
         x, y = (self.page.num(part) for part in (guide.through.real, guide.through.imag))
         if guide.link == FRAME:
             text = N_(
-                "guide %(name)s is fixed, it passes through the point (%(x)s; %(y)s) m at an angle of "
-                "%(angle)s° to the x axis"
+                "Guide %(name)s is fixed; it passes through the point (%(x)s; %(y)s) m at an angle of %(angle)s° to "
+                "the x axis."
             )
         else:
             text = N_(
-                "guide %(name)s belongs to link %(link)s, in whose own axes it passes through the "
-                "point (%(x)s; %(y)s) m at an angle of %(angle)s°"
+                "Guide %(name)s belongs to link %(link)s, in whose own axes it passes through the point "
+                "(%(x)s; %(y)s) m at an angle of %(angle)s°."
             )
         return self.t(text, name=guide.name, link=guide.link, x=x, y=y, angle=angle)

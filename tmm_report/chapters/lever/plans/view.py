@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from functools import cache
 from typing import TYPE_CHECKING, Any
@@ -21,14 +22,18 @@ from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula, Number, Var
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.symbols import segment
+from tmm_report.quantity.terms.kinds import Kinds
+from tmm_report.quantity.text import short_and_full
+from tmm_report.quantity.written import DIGITS
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.comparison import comparison_table
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Table, worded
+from tmm_report.report.paper.layout import Cell, Table, worded
 from tmm_report.report.part import Part
 from tmm_report.report.words import group_name
 
 if TYPE_CHECKING:
+    from tmm_report.chapters.lever.readings.solve import ReadingsFound
     from tmm_report.course import LeverFound
 
 _GRAPH, _ANALYTIC = Var("x_gr", 0.0), Var("x_an", 0.0)
@@ -38,19 +43,22 @@ SENSE = {1: N_("counter-clockwise ↺"), -1: N_("clockwise ↻"), 0: N_("the vec
 
 
 def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
-    yield Part("lever/plans", PlansView(lever.plans, lever.sample, page))
+    yield Part("lever/plans", PlansView(lever.plans, lever.readings, lever.sample, page))
 
 
 class PlansView(BookView):
     difference = DIFFERENCE
     group = staticmethod(group_name)
 
-    def __init__(self, found: Plans, sample: int, page: Page):
-        """`sample`: the position of which formulas are written out."""
+    def __init__(self, found: Plans, own: ReadingsFound | None, sample: int, page: Page):
+        """`own`: a student's readings; `sample`: the position of which formulas are written out."""
         super().__init__(page, Book.of(q.tables(found), q.values(found)))
-        self.found, self.named = found, found.named
+        self.found, self.named, self.readings = found, found.named, own
         drawn = [one.position for one in found.drawn]
         self.first = sample if sample in drawn else next(iter(drawn), 0)  # the one that is explained in full
+        ranked = sorted(drawn, key=lambda k: k != self.first)
+        self.worked = ranked[: page.note.plans or 1]  # positions whose plans always stand in the text
+        self.kinds = Kinds(page.note.every)
         self.picture = cache(self._picture)
 
     def conclusions(self) -> list[Markup]:
@@ -122,18 +130,6 @@ class PlansView(BookView):
 
     # ------------------------------------------------------------ tables
 
-    def segments(self, caption: Any, kind: str) -> Table:
-        return self._of_plans(caption, f"segments_{kind}", digits=7)
-
-    def values(self, caption: Any, kind: str) -> Table:
-        """Values read off all plans of a kind, "v" or "a": one row a position."""
-        return self._of_plans(caption, f"plan_values_{kind}", digits=5)
-
-    def _of_plans(self, caption: Any, name: str, digits: int) -> Table:
-        table = self.table(name)
-        columns = [self.page.singles(table, one.key, digits=digits) for one in table.columns[1:]]
-        return self.by_positions(caption, name, columns)
-
     def projections(self, caption: Any, plan: Plan, number: int) -> Table:
         """Coefficients of a group's unknown rates, right sides, and the solution in the last row."""
         table = self.table(q.equations_name(plan, number))
@@ -174,5 +170,37 @@ class PlansView(BookView):
         ]
 
     def comparison(self, caption: Any, drawn: Drawn) -> Table:
+        """What was measured in both plans, and its values by all methods."""
         table = self.table(f"comparison_{drawn.position}")
-        return comparison_table(self.page, caption, table, self.named, drawn.position)
+        own = self.readings.compared(drawn.position) if self.readings and self.has_own(drawn) else None
+        return comparison_table(
+            self.page, caption, table, self.named, drawn.position, self._segments(drawn), own
+        )
+
+    def _segments(self, drawn: Drawn) -> dict[str, Cell]:
+        """The lengths measured or laid off, mm, by the values that they give; what is worked from others has none."""
+        row, found = self.found.drawn.index(drawn), dict[str, Cell]()
+        places = max(0, -math.floor(math.log10(self.found.accuracy) + 1e-9))
+        for plan in (drawn.velocity, drawn.acceleration):
+            read, worked = self.table(f"segments_{plan.kind}"), self.table(plan.worked.table)
+            for key, ends in plan.ends.items():
+                found[key] = self.page.cell(read, ends, row, digits=7, places=places)
+            for key, ends in plan.laid.items():
+                laid = f"laid_{ends}"
+                number = plan.worked.rows[laid][1]
+                full = short_and_full(number, DIGITS, self.page.tr.decimal, 2)[1]
+                found[key] = Cell(full, worked.by_key(laid, "value", plan.position))
+        return {key: Cell(cell.full, cell.ref) for key, cell in found.items()}
+
+    def compared(self, worked: bool) -> list[Drawn]:
+        """The positions whose plans always stand in the text, or the others."""
+        return [drawn for drawn in self.found.drawn if (drawn.position in self.worked) == worked]
+
+    def has_own(self, drawn: Drawn) -> bool:
+        """Whether a student read values off the plans of a position."""
+        rows = self.readings.rows.get(drawn.position, ()) if self.readings else ()
+        return not {one.key for one in rows}.isdisjoint(c.key for c in drawn.comparison)
+
+    def owned(self) -> bool:
+        """Whether there are a student's own values beside those of the plans."""
+        return any(map(self.has_own, self.found.drawn))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from tmm_report.chapters.lever.plans.quantities import comparison
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Table, Value, plain
 from tmm_report.quantity.tabulated import tabulated
@@ -13,21 +12,15 @@ from tmm_report.quantity.tabulated import tabulated
 if TYPE_CHECKING:
     from tmm_report.chapters.lever.readings.solve import ReadingsFound
 
-READINGS = Message(N_("the student's own readings against the analytical method"))
 ALLOWED = Message(N_("1: within what is allowed, 0: not"))
 
 
 @tabulated
 def tables(found: ReadingsFound) -> Iterator[Table]:
     for position, rows in found.rows.items():
-        units = {one.key: one.asked.unit for one in rows}
-        table = comparison(table_name(position), READINGS, rows, units.__getitem__)
+        table = found.compared(position)
         right = plain("right", "", ALLOWED, [int(one.ok) for one in rows])
         yield Table(table.name, table.meaning, (*table.columns, right))
-
-
-def table_name(position: int) -> str:
-    return f"readings_{position}"
 
 
 @tabulated

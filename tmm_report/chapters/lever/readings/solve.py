@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.lever.plans.quantities import comparison
 from tmm_report.chapters.lever.plans.solve import LIMIT, Plans
 from tmm_report.chapters.lever.readings.given import Readings, Written
 from tmm_report.judging.asked import POSITION, of_motion, of_table
@@ -19,6 +20,8 @@ from tmm_report.quantity.units import WrongValue, between
 from tmm_report.records import dataclass
 
 Array = Any
+
+READINGS = Message(N_("the student's own readings against the analytical method"))
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,6 +65,12 @@ class ReadingsFound:
 
     rows: Mapping[int, tuple[Reading, ...]]
     causes: tuple[Cause, ...]
+
+    def compared(self, position: int) -> Table:
+        """The numbers of a position beside the analytical ones, a row each."""
+        rows = self.rows[position]
+        units = {one.key: one.asked.unit for one in rows}
+        return comparison(f"readings_{position}", READINGS, rows, units.__getitem__)
 
     @property
     def wrong(self) -> tuple[Reading, ...]:

@@ -8,11 +8,8 @@ from typing import TYPE_CHECKING, Any
 from markupsafe import Markup
 
 from tmm_report.chapters.lever.plans.solve import Plans
-from tmm_report.chapters.lever.readings import quantities as q
-from tmm_report.chapters.lever.readings.solve import Reading, ReadingsFound
-from tmm_report.judging.model import Rule
+from tmm_report.chapters.lever.readings.solve import ReadingsFound
 from tmm_report.problems import N_
-from tmm_report.quantity.model import Book
 from tmm_report.report.comparison import own_numbers_table
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table
@@ -28,47 +25,26 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
 
 
 class ReadingsView:
+    """What the plans give too stands in their comparison: here are the numbers of other quantities."""
+
     def __init__(self, found: ReadingsFound, plans: Plans, page: Page):
         self.found, self.page, self.t = found, page, page.t
-        self.tables = Book.of(q.tables(found)).tables
-        # what the plans are compared in, in its order: its analytical values are not printed again
-        self.compared = {drawn.position: [c.key for c in drawn.comparison] for drawn in plans.drawn}
+        self.compared = {drawn.position: {c.key for c in drawn.comparison} for drawn in plans.drawn}
 
     @property
     def positions(self) -> list[int]:
-        return list(self.found.rows)
-
-    def beside(self, position: int) -> list[int]:
-        """Rows of a position's numbers whose analytical values stand in the comparison of its plans, in its order."""
-        order = self.compared.get(position, [])
-        rows = [row for row, one in enumerate(self.found.rows[position]) if one.key in order]
-        return sorted(rows, key=lambda row: order.index(self.found.rows[position][row].key))
+        """Those that have numbers beside the plans' own."""
+        return [position for position in self.found.rows if self.others(position)]
 
     def others(self, position: int) -> list[int]:
-        """The other rows, in the order of the file."""
-        beside = set(self.beside(position))
-        return [row for row in range(len(self.found.rows[position])) if row not in beside]
+        """Rows of a position's numbers that the plans do not give, in the order of the file."""
+        known = self.compared.get(position, set())
+        return [row for row, one in enumerate(self.found.rows[position]) if one.key not in known]
 
-    def table(self, caption: Any, position: int, rows: list[int], analytic: bool) -> Table:
-        """The rows of a position. `analytic`: whether with the analytical values."""
-        numbers = self.found.rows[position]
-        named = {one.key: one.asked.quantity for one in numbers}
-        said = [self._said(numbers[row]) for row in rows]
-        of = self.tables[q.table_name(position)]
-        return own_numbers_table(self.page, caption, of, named, position, said, rows, analytic)
-
-    def _said(self, one: Reading) -> str:
-        if one.rule is Rule.NOT_ASKED:
-            return self.t("not defined at this position")
-        if one.rule is Rule.ZERO:
-            return self.t("right: nothing by the plan")
-        if one.ok:
-            return self.t("right in magnitude, no sense given") if one.unsigned else self.t("right")
-        return self.t("wrong: the sign is opposite") if one.rule is Rule.SIGN else self.t("wrong")
-
-    def causes(self) -> list[Markup | str]:
-        """Likely mistakes, in sentences."""
-        return [self.page.message(cause.what) for cause in self.found.causes]
+    def table(self, caption: Any, position: int) -> Table:
+        named = {one.key: one.asked.quantity for one in self.found.rows[position]}
+        of = self.found.compared(position)
+        return own_numbers_table(self.page, caption, of, named, position, self.others(position))
 
     def conclusions(self) -> list[Markup]:
         wrong = len(self.found.wrong)

@@ -47,13 +47,23 @@ if TYPE_CHECKING:
 KINDS = {1: "RRR", 2: "RRP", 3: "RPR", 4: "PRP", 5: "RPP"}
 # Kind of a pair -> what of its reaction is known, and what is not.
 KNOWN = {
-    "R": (N_("point (the pivot)"), N_("magnitude and direction")),
-    "P": (N_("direction (across the guide)"), N_("magnitude and point")),
-    "H": (N_("point (of contact) and direction (the common normal n–n)"), N_("magnitude")),
+    "R": N_(
+        "Of the reaction in a turning pair the point is known, the axis of the pivot; its magnitude and direction are "
+        "to be found."
+    ),
+    "P": N_(
+        "Of the reaction in a sliding pair the direction is known, across the guide; its magnitude and point are to be "
+        "found."
+    ),
+    "H": N_(
+        "Of the reaction in a higher pair the point of contact and the direction along the common normal n–n are "
+        "known; its magnitude is to be found."
+    ),
+    "rolling": N_(
+        "Of the reaction in the pair of a rolling wheel the point of contact and the direction along the rail are "
+        "known, since the guide of the axle bears the normal force; its magnitude is to be found."
+    ),
 }
-FRICTION = N_(
-    "point (of contact) and direction (along the rail; the guide of the axle bears the normal force)"
-)
 MESHES = {
     "external": N_("wheels of links %(one)s and %(other)s in external mesh, pitch point %(point)s"),
     "internal": N_("wheels of links %(one)s and %(other)s in internal mesh, pitch point %(point)s"),
@@ -291,29 +301,21 @@ class StructureView(BookView):
         rows = [
             [
                 self.page.cell(table, "number", k), self.page.word("–".join(pair.links), table, "links", k),
-                self.page.word(pair.name, table, "name", k), self.t(PAIR_KINDS[pair.kind]),
+                self.page.named(table, "name", k), self.t(PAIR_KINDS[pair.kind]),
                 "IV" if pair.kind == "H" else "V",
-                self.page.cell(table, "mobility", k),
             ]
             for k, pair in enumerate(self.found.pairs)
         ]  # fmt: skip
         heads = [
             self.t("No."), self.t("Links"), self.t("Point, guide"), self.t("Kind"), self.t("Class"),
-            self.t("Mobility"),
         ]  # fmt: skip
-        return worded(caption, heads, rows, (1, 2, 2, 4, 1.4, 2))
+        return worded(caption, heads, rows, (1, 2, 2, 4, 1.4))
 
-    def reactions(self, caption: Any) -> Table:
-        """What of the reaction in every pair is known beforehand, and what is to be found."""
+    def reactions(self) -> list[Markup]:
+        """What of the reaction in each kind of pair is known beforehand, and what is to be found."""
         rolling = {one.contact.key for one in self.coupled if one.mesh.rolls}
-        known = {pair.key: KNOWN[pair.kind] for pair in self.found.pairs}
-        known |= dict.fromkeys(rolling, (FRICTION, KNOWN["H"][1]))
-        rows = [
-            [f"{'–'.join(pair.links)} ({pair.name})", *(self.t(words) for words in known[pair.key])]
-            for pair in self.found.pairs
-        ]
-        heads = [self.t("Pair"), self.t("Known of the reaction"), self.t("Unknown of it")]
-        return worded(caption, heads, rows, (2, 5, 4))
+        kinds = ["rolling" if pair.key in rolling else pair.kind for pair in self.found.pairs]
+        return [self.t(text) for kind, text in KNOWN.items() if kind in kinds]
 
     def groups(self, caption: Any) -> Table:
         """Groups in the order in which they are detached."""
@@ -342,6 +344,19 @@ class StructureView(BookView):
         ]
         heads = [self.t("Group"), *self.signs().values(), self.t("Equations"), self.t("Unknowns")]
         return worded(caption, heads, rows, (3, 1, 1, 1, 2, 2))
+
+    @property
+    def alike(self) -> bool:
+        """Whether all groups have as many links and pairs."""
+        table = self.table("groups")
+        return all(len(set(table[key].values)) == 1 for key in ("links_count", "lower", "higher"))
+
+    def of_every_group(self) -> dict[str, Markup]:
+        """The numbers that all groups have, for a sentence."""
+        keys = {"links": "links_count", "lower": "lower", "equations": "equations", "unknowns": "unknowns"}
+        return self.signs() | {
+            name: self.page.shown(self.table("groups"), key, 0) for name, key in keys.items()
+        }
 
     def signs(self) -> dict[str, Markup]:
         """The letters of the formula of mobility, for a sentence."""

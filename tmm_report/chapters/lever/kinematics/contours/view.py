@@ -20,6 +20,7 @@ from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula, Number, Var, at
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.terms.kinds import Kinds, Worked
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.words import group_name
@@ -61,6 +62,7 @@ class ContoursView:
             for formula, _ in self.written.bench.checks:
                 _ = formula.value
         self.table = page.once(_tables, found)["contours"]
+        self.kinds = Kinds(page.note.every)
 
     def conclusions(self) -> list[Markup]:
         return []
@@ -127,9 +129,11 @@ class ContoursView:
             for symbol, text, unit in CONVENTIONS
         ]
 
-    def said(self, formulas: Sequence[Formula]) -> list[Formula]:
-        """Those that say more than that something is nothing."""
-        return [formula for formula in formulas if not isinstance(formula.expression, Number)]
+    def said(self, formulas: Sequence[Formula], part: str = "") -> Worked:
+        """Those that say more than that something is nothing, one of each kind in full. `part`: the group's name."""
+        return self.kinds(
+            (formula for formula in formulas if not isinstance(formula.expression, Number)), part
+        )
 
     # ------------------------------------------------------------ groups above class II
 

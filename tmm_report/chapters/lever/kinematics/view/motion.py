@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
+import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.lever.initial_data.quantities import speed
@@ -17,7 +18,6 @@ from tmm_report.chapters.lever.kinematics.solve.strokes import carried
 from tmm_report.chapters.lever.kinematics.solve.working_stroke import Working
 from tmm_report.chapters.lever.kinematics.view.diagrams import Diagrams
 from tmm_report.mechanics.lever.cycle import larger
-from tmm_report.mechanics.lever.vector_equations import turning_links
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Quantity, Value
@@ -96,13 +96,17 @@ class MotionView(BookView):
         scale = abs(speed(self.found.linkage.mechanism).value) ** order
         return max(abs(end.value) for end in ends) <= ZERO * max(1.0, scale)
 
-    def unbounded(self, travel: Travel) -> list[Markup]:
-        """Sentences on the rates that grow without bound."""
-        rates = ((1, travel.V_extremes), (2, travel.a_extremes))
-        texts = [
-            UNBOUNDED[travel.output.kind, n] for n, ends in rates if any(math.isnan(x.value) for x in ends)
+    def sentences(self, travel: Travel) -> list[Markup]:
+        """What is told of an output, and of its rates that grow without bound."""
+        return [*self.told(travel), *(self.t(UNBOUNDED[travel.output.kind, n]) for n in _unbounded(travel))]
+
+    def unbounded_links(self) -> list[Markup]:
+        """Sentences on the rates of the other links that grow without bound."""
+        return [
+            self.t(OF_LINK[n], link=travel.output.name)
+            for travel in self.found.links
+            for n in _unbounded(travel)
         ]
-        return [self.t(text) for text in texts]
 
     # ------------------------------------------------------------ outputs
 
@@ -170,16 +174,17 @@ class MotionView(BookView):
     def stroke(self, travel: Travel) -> Markup:
         return self.sized(f"H_{travel.output.name}")
 
-    def extremes(self, caption: Any, travel: Travel) -> Table:
+    def extremes(self, caption: Any, travels: Sequence[Travel]) -> Table:
         rows = []
-        for order, quantity, (low, high) in zip(
-            range(3), q.motion_of(travel.output), q.extremes(travel), strict=True
-        ):
-            if order and self._nought(order, (low, high)):
-                continue
-            size = max(1.0, abs(low.value), abs(high.value))
-            ends = [(self.page.cell(end, scale=size), self._at_side(end)) for end in (low, high)]
-            rows.append([self.page.head(quantity.sign, quantity.printed), *ends[0], *ends[1]])
+        for travel in travels:
+            for order, quantity, (low, high) in zip(
+                range(3), q.motion_of(travel.output), q.extremes(travel), strict=True
+            ):
+                if order and self._nought(order, (low, high)):
+                    continue
+                size = max(1.0, abs(low.value), abs(high.value))
+                ends = [(self.page.cell(end, scale=size), self._at_side(end)) for end in (low, high)]
+                rows.append([self.page.head(quantity.sign, quantity.printed), *ends[0], *ends[1]])
         heads = [
             self.t("Quantity"), self.t("Least value"), self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),
             self.t("Greatest value"), self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),
@@ -231,11 +236,15 @@ class MotionView(BookView):
 
     @property
     def translating(self) -> list[str]:
-        """Links that could turn and do not."""
-        linkage = self.found.linkage
-        others = {linkage.mechanism.driver.link, *carried(linkage), *self._turning}
-        others |= {cam.name for cam in linkage.mechanism.cams}
-        return [link for link in turning_links(linkage) if link not in others]
+        """Links that do not turn at any position."""
+        motion, mechanism = self.found.diagram, self.found.linkage.mechanism
+        least = 1e-9 * float(np.nanmax(np.abs(motion.angular_velocity(mechanism.driver.link)), initial=0.0))
+
+        def still(link: str) -> bool:
+            rates = np.abs(motion.angular_velocity(link))
+            return bool(np.nanmax(rates, initial=0.0) <= least)
+
+        return [link for link in mechanism.real.moving if link != mechanism.driver.link and still(link)]
 
     @property
     def _turning(self) -> set[str]:
@@ -250,6 +259,12 @@ class MotionView(BookView):
     def angular(self, caption: Any) -> Table:
         """Angles, angular velocities and accelerations of the driven links at the table positions."""
         return self._packed(caption, "outputs_table", q.motion_of, self.links)
+
+
+def _unbounded(travel: Travel) -> list[int]:
+    """Orders of the rates that grow without bound: 1 the velocity, 2 the acceleration."""
+    rates = ((1, travel.V_extremes), (2, travel.a_extremes))
+    return [n for n, ends in rates if any(math.isnan(x.value) for x in ends)]
 
 
 GREATEST = {
@@ -267,6 +282,10 @@ UNBOUNDED = {
     ("slider", 2): N_("Its acceleration grows without bound towards the limit position."),
     ("rocker", 1): N_("Its angular velocity grows without bound towards the limit position."),
     ("rocker", 2): N_("Its angular acceleration grows without bound towards the limit position."),
+}
+OF_LINK = {
+    1: N_("The angular velocity of link %(link)s grows without bound towards the limit position."),
+    2: N_("The angular acceleration of link %(link)s grows without bound towards the limit position."),
 }
 WORKING = {
     "load": N_(

@@ -24,6 +24,7 @@ from tmm_report.mechanics.lever.cams.replacing_dyad import CamDyad
 from tmm_report.mechanics.lever.dyads import Dyad
 from tmm_report.mechanics.lever.high_class.newton import HigherGroup
 from tmm_report.problems import N_
+from tmm_report.quantity import model
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Book, variable
 from tmm_report.quantity.symbols import segment
@@ -159,20 +160,19 @@ class KinematicsView(BookView):
         mechanism = self.found.linkage.mechanism
         lengths = Book.of(given_tables(mechanism), scale(mechanism, self.schemes.scale))
         table = lengths.tables["dimensions"]
+        keys = [str(key).removeprefix("l_") for key in table["key"].values]
         rows = [
             [
-                self.page.word(link, table, "link", row),
-                self.page.sym(segment(key.removeprefix("l_"))),
-                self.page.cell(table, "length", row),
-                self.page.cell(lengths[f"drawn_{key.removeprefix('l_')}"]),
-            ]
-            for row, (key, link) in enumerate(zip(table["key"].values, table["link"].values, strict=True))
+                self.page.listed([self.t("Length"), self.page.unit("m")]),
+                *(self.page.cell(table, "length", row) for row in range(len(keys))),
+            ],
+            [
+                self.page.listed([self.t("On the drawing"), self.page.unit("mm")]),
+                *(self.page.cell(lengths[f"drawn_{key}"]) for key in keys),
+            ],
         ]
-        heads = [
-            self.t("Link"), self.t("Segment"), self.page.listed([self.t("Length"), self.page.unit("m")]),
-            self.page.listed([self.t("On the drawing"), self.page.unit("mm")]),
-        ]  # fmt: skip
-        return worded(caption, heads, rows, (1, 1, 2, 2))
+        heads = [self.t("Segment"), *(self.page.sym(segment(key)) for key in keys)]
+        return worded(caption, heads, rows, (3, *(1 for _ in keys)))
 
     def plain_scale(self) -> Markup:
         """mu_l with its value."""
@@ -236,20 +236,27 @@ class KinematicsView(BookView):
     def has_dead(self) -> bool:
         return any(dead.turned for dead in self.found.dead)
 
-    def dead(self, caption: Any) -> Table:
-        """Dead points of the output links."""
+    def dead(self) -> Markup:
+        """The dead points of the output links, each with the links that are in line there."""
         table = self.table("special")
         where = iter([row for row, kind in enumerate(table["kind"].values) if kind == "dead"])
-        rows = []
+        points = {travel.output.name for travel in self.found.travels if travel.output.kind == "slider"}
+        told = []
         for dead in self.found.dead:
-            for pair in dead.in_line:
-                row = next(where)
-                text = N_("links %(one)s and %(other)s in one line")
-                words = self.t(text, one=pair[0], other=pair[1]) if pair else "—"
-                angle = self.page.cell(table, "phi", row, places=3)
-                rows.append([self.page.word(dead.output, table, "of", row), angle, words])
-        heads = [self.t("Output link"), self.t("Angle of turn, °"), self.t("Position of the links")]
-        return worded(caption, heads, rows, (2, 2, 6))
+            rows = list(zip(dead.in_line, where, strict=False))
+            if rows:
+                of = OF_POINT if dead.output in points else OF_LINK
+                name = self.page.said(self.page.named(table, "of", rows[0][1]))
+                angles = self.page.listed(self._dead(table, row, pair) for pair, row in rows)
+                told.append(self.t(of, name=name, angles=angles))
+        return self.page.listed(told, "; ")
+
+    def _dead(self, table: model.Table, row: int, pair: Any) -> Markup:
+        angle = self.page.shown(table, "phi", row, places=3)
+        if not pair:
+            return self.page.listed([angle, "°"], "")
+        text = N_("%(angle)s° (links %(one)s and %(other)s in one line)")
+        return self.t(text, angle=angle, one=pair[0], other=pair[1])
 
     def sentences(self) -> list[Markup]:
         """What is to be said of gaps, parallel guides among them, of limits and change points."""
@@ -272,6 +279,7 @@ class KinematicsView(BookView):
         return ", ".join(f"{self.page.num(np.degrees(x), places=3)}°" for x in turned)
 
 
+OF_POINT, OF_LINK = N_("of point %(name)s at %(angles)s"), N_("of link %(name)s at %(angles)s")
 PASSED = N_(
     "at the angle of turn φ = %(angles)s group %(group)s (links %(links)s) passes a change point: "
     "its two assemblies meet and two continuations exist; the stated assembly is kept and the motion "

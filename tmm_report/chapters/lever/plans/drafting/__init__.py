@@ -57,7 +57,8 @@ def _drafted(sheet: Sheet) -> Plan:
     turns = {link: image.turn for link, image in sheet.images.items()}
     return Plan(
         sheet.kind, sheet.worked.position, sheet.scale, sheet.pole, sheet.vertices, tuple(sheet.strokes),
-        sheet.segments, sheet.values, sheet.per_mm, first, steps, turns, sheet.worked, tuple(sheet.senses),
+        sheet.segments, sheet.ends, sheet.laid, sheet.values, sheet.per_mm, first, steps, turns, sheet.worked,
+        tuple(sheet.senses),
     )  # fmt: skip
 
 

@@ -82,6 +82,7 @@ def _bend(sheet: Sheet, branch: Branch, arm: complex, z: complex, start: str) ->
     z_bend = sheet.vertices[letter] = sheet.pen.place(z + bend(sheet, branch, arm) / sheet.scale)
     sheet.stroke(z, z_bend, key, "bend")
     value = sheet.write(key, size)
+    sheet.laid[key] = start + letter
     laid = sheet.worked.laid_off(segment_of(start + letter), sheet.number(key, value.written) / sheet.mu)
     sheet.segments[start + letter] = sheet.pen.read(z_bend - z)
     return letter, [value, laid]

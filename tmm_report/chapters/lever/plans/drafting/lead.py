@@ -52,7 +52,7 @@ def _of_pin(sheet: Sheet, link: str, pin: str, ends: str) -> tuple[Formula, Form
     size = w * length if sheet.kind == "v" else w**2 * length
     value = sheet.write(f"{sheet.kind}_{pin}", size)
     sheet.reference = value.written
-    name = sheet.pole + sheet.letter(pin)
+    name = sheet.laid[f"{sheet.kind}_{pin}"] = sheet.pole + sheet.letter(pin)
     laid = sheet.worked.laid_off(segment_of(name), size / sheet.mu)
     sheet.segments[name] = laid.written
     return value, laid
@@ -76,11 +76,12 @@ def _of_accelerated_pin(sheet: Sheet, link: str, pin: str, arm: complex) -> tupl
     first = sheet.worked.laid_off(
         segment_of(sheet.pole + ends), sheet.number(normal, by_normal.written) / sheet.mu
     )
+    sheet.laid[normal] = sheet.pole + ends
     sheet.segments[sheet.pole + ends] = first.written
     whole = sheet.pen.place(z + 1j * sheet.epsilon * arm / sheet.scale)
     sheet.stroke(z, whole, tangential, "rate")
     by_tangential = sheet.write(tangential, e * length)
-    name = ends + sheet.letter(pin)
+    name = sheet.laid[tangential] = ends + sheet.letter(pin)
     second = sheet.worked.laid_off(
         segment_of(name), sheet.number(tangential, by_tangential.written) / sheet.mu
     )

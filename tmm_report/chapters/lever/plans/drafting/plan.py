@@ -120,7 +120,8 @@ class Plan:
     """A plan of velocities ("v") or accelerations ("a") at one table position.
 
     `scale`: m/s or m/s² per mm. `vertices`: lettering -> place, mm, the pole at 0. `segments`: lettering of the ends,
-    "pb" -> length read, mm. `values`: key -> written magnitude, SI; `per_mm`: key -> value of 1 mm of paper.
+    "pb" -> length read, mm; `ends`: key -> lettering of the segment that it is read off, `laid`: by
+    which it is laid off. `values`: key -> written magnitude, SI; `per_mm`: key -> value of 1 mm of paper.
     `lead`: formulas of the driving link. `turns`: link -> mm of plan per m of the link, complex.
     `worked`: every number of the calculations.
     """
@@ -132,6 +133,8 @@ class Plan:
     vertices: Mapping[str, complex]
     strokes: tuple[Stroke, ...]
     segments: Mapping[str, float]
+    ends: Mapping[str, str]
+    laid: Mapping[str, str]
     values: Mapping[str, float]
     per_mm: Mapping[str, float]
     lead: tuple[Formula, ...]

@@ -53,6 +53,8 @@ class Sheet:
         self.images = {FRAME: Image(0j, 0j, 0j)}
         self.strokes: list[Stroke] = []
         self.segments: dict[str, float] = {}
+        self.ends: dict[str, str] = {}  # of the segment that a value is read off
+        self.laid: dict[str, str] = {}  # of the segment by which a value is laid off
         self.values: dict[str, float] = {}
         self.per_mm: dict[str, float] = {}
         self.senses: list[Sense] = []
@@ -165,6 +167,7 @@ class Sheet:
 
     def read(self, key: str, start: str, end: str) -> Formula:
         """A value read off the plan: its segment times the scale."""
+        self.ends[key] = start + end
         return self.write(key, self.segment(start, end) * self.mu)
 
     def read_point(self, point: str) -> Formula:

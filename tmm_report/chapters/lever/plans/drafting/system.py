@@ -218,7 +218,7 @@ def _known_rate(sheet: Sheet, system: System, line: Line) -> list[Formula]:
         return []
     rate = sheet.number(source, sheet.values[source])
     value = sheet.write(key, rate * length(sheet, branch, line.arm))
-    ends = line.letter + sheet.letter(branch.end)
+    ends = sheet.laid[key] = line.letter + sheet.letter(branch.end)
     laid = sheet.worked.laid_off(segment_of(ends), sheet.number(key, value.written) / sheet.mu)
     sheet.segment(line.letter, sheet.letter(branch.end))
     return [value, laid]

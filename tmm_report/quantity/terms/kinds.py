@@ -1,0 +1,83 @@
+"""Formulas of one kind: the first is worked out in full, those like it in symbols, those of later parts are values."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable
+from dataclasses import replace
+from typing import NamedTuple
+
+from tmm_report.quantity.formula import Expr, Formula, Negative, Var
+
+_OTHER = {
+    "sin": "cos",
+    "y": "x",
+    "−": "+",
+}  # projections on the two axes are alike, sums and differences, too
+
+
+class Worked(NamedTuple):
+    """`lines`: formulas as they are to be printed, in their order; `same`: results of those left out."""
+
+    lines: list[Formula]
+    same: list[Var]
+
+
+class Kinds:
+    """The kinds of formulas that a chapter has worked out so far; where it works out `every` one, all are printed.
+
+    Two formulas are of one kind if they differ by their letters alone; they are alike if they differ by signs or by
+    the axis on which they project, too.
+    """
+
+    def __init__(self, every: bool):
+        self.every = every
+        self._first: dict[Hashable, object] = {}  # the part of the chapter that had the kind first
+        self._alike = set[Hashable]()
+
+    def __call__(self, formulas: Iterable[Formula], part: str | None = None) -> Worked:
+        """`part`: of the chapter, as a group: what is of one kind within it is printed in symbols; None: nothing is."""
+        found = Worked([], [])
+        for formula in formulas:
+            here = object() if part is None else part
+            alike = _kind(formula, True)
+            if not self.every and self._first.setdefault(_kind(formula, False), here) != here:
+                found.same.append(value_of(formula))
+            else:
+                known = not self.every and alike in self._alike
+                found.lines.append(replace(formula, numbers=False) if known else formula)
+            self._alike.add(alike)
+        return found
+
+
+def value_of(formula: Formula) -> Var:
+    """The result of a formula as it prints it."""
+    return Var(formula.result, formula.written, formula.unit, formula.digits, formula.ref, formula.meaning)
+
+
+def _kind(formula: Formula, alike: bool) -> Hashable:
+    return _letter(Var(formula.result, 0.0, formula.unit), alike), _shape(formula.expression, alike)
+
+
+def _letter(var: Var, alike: bool) -> Hashable:
+    """What a quantity is: all segments of a drawing are one, others are told by letter, unit and direction."""
+    sign = var.sign
+    if sign.kind == "segment":
+        return "", var.unit
+    return (_OTHER.get(sign.base, sign.base), "", var.unit) if alike else (sign.base, sign.sup, var.unit)
+
+
+def _shape(node: Expr, alike: bool) -> Hashable:
+    """The expression without its letters; `alike`: without signs and axes, too."""
+    if isinstance(node, Var):
+        return _letter(node, alike)
+    if alike and isinstance(node, Negative):
+        return _shape(node.body, alike)
+    own: list[Hashable] = [type(node).__name__]
+    for child in vars(node).values():
+        if isinstance(child, Expr):
+            own.append(_shape(child, alike))
+        elif isinstance(child, str):  # the sign of a sum, the name of a function
+            own.append(_OTHER.get(child, child) if alike else child)
+        elif not callable(child):
+            own.append(child if isinstance(child, Hashable) else id(child))
+    return tuple(own)
