@@ -121,6 +121,13 @@ def solve(
     pdf: Annotated[
         bool, typer.Option("--pdf", help="Also compile note.tex to note.pdf with pdflatex.")
     ] = False,
+    print_: Annotated[
+        bool,
+        typer.Option(
+            "--print",
+            help="Also print note.html to note-print.pdf with an installed Chromium, Chrome or Edge.",
+        ),
+    ] = False,
     open_note: Annotated[bool, typer.Option("--open", help="Open the note in the browser.")] = False,
 ) -> None:
     """Solve a variant and write its note."""
@@ -137,6 +144,7 @@ def solve(
             depth=depth,
             combinations_too=all_,
             pdf=pdf,
+            print_it=print_,
             open_note=open_note,
         )
     ended(done)

@@ -18,7 +18,7 @@ from tmm_report.chapters.lever.methods.given import Comparison
 from tmm_report.chapters.lever.plans.given import Drawing
 from tmm_report.chapters.lever.press.given import Press
 from tmm_report.chapters.lever.readings.given import Readings
-from tmm_report.chapters.title.given import Note, Title
+from tmm_report.chapters.title.given import Assignment, Note, Title
 from tmm_report.chapters.title.pieces import DEPTHS as DEPTHS
 from tmm_report.chapters.title.pieces import Depth as Depth
 from tmm_report.languages import DEFAULT, DecimalSign
@@ -153,6 +153,7 @@ class Variant:
     drive: drive.Given | None = None
     eccentric: eccentric.Given | None = None
     title: Title = field(default_factory=Title)
+    assignment: Assignment | None = None  # its sheet behind the title page
     note: Note = field(default_factory=Note)
     profile: Profile | None = None  # how the note looks on paper; None: as the standard has it
     language: str = DEFAULT  # a code of the table of languages

@@ -36,6 +36,7 @@ def render(results: Results, fmt: str, tr: Translator, depth: Depth | None = Non
         tuple(_undone(results)),
         note,
         results.variant.profile,
+        results.variant.assignment,
     )
 
 

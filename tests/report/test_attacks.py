@@ -24,7 +24,8 @@ def hostile():
     """The compressor and an eccentric mechanism with every payload in each text of theirs: title, loads, stages."""
     variant = load(VARIANTS / "compressor.yaml")
     everything = " ¶ ".join(PAYLOADS.values())
-    title = Title(**dict.fromkeys(vars(Title()), everything))
+    texts = {name: everything for name, text in vars(Title()).items() if isinstance(text, str)}
+    title = Title(**texts, lines=(everything,), signed=((everything, everything),))
     assert variant.lever.loads is not None
     forces = tuple(replace(force, name=everything) for force in variant.lever.loads.forces)
     assert variant.drive is not None

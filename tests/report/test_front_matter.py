@@ -6,9 +6,12 @@ import re
 
 import pytest
 from markupsafe import Markup
+from notes import VARIANTS
 from notes import note as note_of
 
+from tmm_report import render, solve
 from tmm_report.i18n import Translator
+from tmm_report.loading import loads
 from tmm_report.problems import Message
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
@@ -165,3 +168,49 @@ def test_a_column_of_dashes_is_left_out():
     assert list(table.parts[0].head) == ["point", "y"]
     columns = [Column("v", ["—", "—"]), Column("a", ["1", "—"])]
     assert list(numeric("rates", Column("k", ["0", "1"]), columns).parts[0].head) == ["k", "a"]
+
+
+# --- title page and assignment sheet
+
+FRONT = """
+title:
+  ministry: Министерство
+  institution: Университет
+  department: Кафедра ТММ
+  lines: [Факультет, 2 курс]
+  topic: Рычажный механизм
+  designation: ТММ.05.12.000 ПЗ
+  group: 21.10
+  student: Иванов И. И.
+  teacher: Петров П. П.
+  signed: [{role: Нормоконтроль, name: Сидоров С. С.}]
+  city: Самара
+  year: 2026
+assignment:
+  approved: {role: Зав. кафедрой, name: Орлов О. О.}
+  due: 01.10
+  data: [длины звеньев]
+  sheets: ["планы скоростей"]
+"""
+SAID = (
+    "Министерство", "Университет", "Кафедра ТММ", "Факультет", "2 курс", "Пояснительная записка", "Рычажный механизм",
+    "ТММ.05.12.000 ПЗ", "Студент группы 21.10", "Иванов И. И.", "Руководитель", "Петров П. П.", "Нормоконтроль",
+    "Сидоров С. С.", "Самара 2026", "Задание на курсовой проект", "Утверждаю: Зав. кафедрой", "Орлов О. О.",
+    "длины звеньев", "планы скоростей", "Срок сдачи: 01.10", "Петров П. П.", "Иванов И. И.", "Содержание",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("fmt", ["html", "tex"])
+def test_title_page_and_assignment_sheet_say_what_is_stated_in_their_order(fmt):
+    text = re.sub(r"title:\n(?:  .*\n)+", FRONT, (VARIANTS / "rotor.yaml").read_text("utf-8"))
+    files = render(solve(loads(text)), fmt)
+    note = files[f"note.{fmt}"].decode().partition("<body>" if fmt == "html" else "\\begin{document}")[2]
+    at = 0
+    for said in SAID:
+        assert said in note[at:], said
+        at = note.index(said, at)
+    assert "Задание" not in note[at:]  # the contents do not list it
+
+
+def test_without_an_assignment_there_is_no_sheet(note):
+    assert "Задание на" not in note and 'class="front"' not in note

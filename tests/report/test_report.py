@@ -241,7 +241,8 @@ def own_words(name: str) -> list[str]:
         if variant.lever and variant.lever.loads
         else ()
     )
-    own = {*astuple(variant.title), *(load.name for load in loads)}
+    texts = [text for text in astuple(variant.title) if isinstance(text, str)]
+    own = {*texts, *(load.name for load in loads)}
     if (found := results(name).find) is not None:  # what is sought is named by its keys in the file
         own.update(one.name for one in found.given.unknowns)
     return sorted(own - {""}, key=len, reverse=True)

@@ -40,7 +40,7 @@ def compiled(files: Mapping[str, bytes]) -> dict[str, bytes]:
         command = [program, "-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", "note.tex"]
         for run in (bare(files), files):  # the second one fills in the page numbers of the contents
             write(run, Path(folder))
-            _run(command, folder)
+            run_alone(command, folder, TexFailed, SHUT)
         return {name: Path(folder, name).read_bytes() for name in ("note.pdf", "note.log")}
 
 
@@ -62,18 +62,18 @@ def write(files: Mapping[str, bytes], folder: Path) -> None:
         target.write_bytes(content)
 
 
-def _run(command: list[str], folder: str) -> None:
-    env = {
-        **os.environ,
-        "openin_any": "p",
-        "openout_any": "p",
-        "SOURCE_DATE_EPOCH": "0",
-        "FORCE_SOURCE_DATE": "1",
-    }
+SHUT = {"openin_any": "p", "openout_any": "p", "SOURCE_DATE_EPOCH": "0", "FORCE_SOURCE_DATE": "1"}
+
+
+def run_alone(
+    command: list[str], folder: str, failed: type[Exception], env: Mapping[str, str] | None = None
+) -> str:
+    """Run a program in a folder, with no input, in a group of its own; what it says. Raises `failed` with the end of
+    that where it stops or takes too long."""
     process = subprocess.Popen(
         command,
         cwd=folder,
-        env=env,
+        env={**os.environ, **(env or {})},
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
@@ -83,9 +83,11 @@ def _run(command: list[str], folder: str) -> None:
         log, _ = process.communicate(timeout=SECONDS)
     except subprocess.TimeoutExpired:
         _kill(process)
-        raise TexFailed(f"pdflatex took more than {SECONDS} s") from None
+        raise failed(f"{Path(command[0]).name} took more than {SECONDS} s") from None
+    said = log.decode("utf-8", "replace")
     if process.returncode:
-        raise TexFailed(log.decode("utf-8", "replace")[-2000:])
+        raise failed(said[-2000:])
+    return said
 
 
 def _kill(process: subprocess.Popen[bytes]) -> None:

@@ -23,6 +23,8 @@ NO_TEX = N_(
     "texlive-latex-recommended texlive-pictures texlive-lang-cyrillic cm-super. macOS: MacTeX"
 )
 
+NO_BROWSER = N_("no print: no Chromium, Chrome or Edge is installed")
+
 
 def run(
     variant: Path,
@@ -34,6 +36,7 @@ def run(
     depth: str | None = None,
     combinations_too: bool = False,
     pdf: bool = False,
+    print_it: bool = False,
     open_note: bool = False,
 ) -> bool:
     """Whether everything asked for was made and every check held. Raises ProblemError."""
@@ -49,6 +52,7 @@ def run(
     if combinations_too:
         files |= combinations(results, language)
     no_pdf = _add_pdf(results, language, files, talk) if pdf else []
+    no_pdf += _add_print(results, language, files, talk) if print_it else []
     changed = _put(folder, files, digest(__version__, text))
     good = summary(results, talk)
     _control(files, folder, talk)
@@ -105,6 +109,24 @@ def _add_pdf(
     except TexFailed as error:
         said = Message(N_("no PDF: pdflatex stopped. The end of its log:"))
         return [said, *str(error).split("\n")]
+    return []
+
+
+def _add_print(
+    results: Results, language: str | None, files: dict[str, bytes], talk: Talk
+) -> list[Message | str]:
+    """Add note-print.pdf to the files; what went wrong, a line each, if it could not be made."""
+    from tmm_report.commands.printing import NoBrowser, PrintFailed, print_pdf
+
+    talk.stage(Message(N_("printing the note")))
+    note = files.get("note.html") or render(results, "html", language)["note.html"]
+    try:
+        files["note-print.pdf"] = print_pdf(note, results.variant.title.student)
+    except NoBrowser:
+        return [Message(NO_BROWSER)]
+    except (OSError, PrintFailed) as error:
+        why = reason(error) if isinstance(error, OSError) else str(error).strip().split("\n")[-1]
+        return [Message(N_("no print: %(reason)s"), {"reason": why})]
     return []
 
 

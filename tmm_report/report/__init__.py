@@ -34,15 +34,17 @@ def render(
     undone: Sequence[Message] = (),
     note: Note = WHOLE,
     profile: Profile | None = None,
+    assignment: object = None,
 ) -> dict[str, bytes]:
     """File name -> content: "note.html" alone, "note.tex" with the figures it reads, or the figures as pictures.
 
     `undone`: what was asked and is not in the note; the conclusions begin with it. `note`: how much it says;
-    `profile`: how it looks on paper.
+    `profile`: how it looks on paper; `assignment`: its sheet, as the template of the title page knows it.
     """
     page = Page(FORMATS[fmt](), tr, Numbering(), note, profile)
     parts = make(page)
-    text = _written(_given(title, page), parts, page, undone)
+    given = {**_given(title, page), "assignment": assignment}
+    text = _written(given, parts, page, undone)
     return page.form.files if fmt == "png" else {f"note.{fmt}": text.encode(), **page.form.files}
 
 

@@ -26,7 +26,7 @@ from tmm_report.profiles import Profile, filled, shipped
 from tmm_report.quantity.formula import Formula, Inline, Var
 from tmm_report.quantity.model import Column, Table, Value
 from tmm_report.quantity.ref import Ref
-from tmm_report.quantity.symbols import Symbol, math_symbol, xml_escape
+from tmm_report.quantity.symbols import Symbol, latex_escape, math_symbol, xml_escape
 from tmm_report.quantity.text import column, short_and_full, unit_text
 from tmm_report.quantity.text import number as written
 from tmm_report.quantity.written import Equation, explained
@@ -178,6 +178,10 @@ class Page:
     def on_one_line(self, text: str) -> Markup:
         """Text that stands where no markup is read."""
         return Markup(xml_escape(text))
+
+    def in_properties(self, text: str) -> Markup:
+        """Text of the properties of a PDF, where LaTeX reads no mathematics."""
+        return Markup(latex_escape(text))
 
     def said(self, cell: Cell) -> Markup:
         """A cell in running text."""

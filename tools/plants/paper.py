@@ -3,6 +3,8 @@
 from faults import Fault
 
 PROFILES = ("tests/report/test_profiles.py",)
+PRINT = ("tests/commands/test_printing.py",)
+FRONT = ("tests/report/test_front_matter.py",)
 FAULTS = (
     Fault("a binding margin of the print that is not the profile's", "templates/profile.css.j2",
           "{{ p.margins.bottom }}mm {{ p.margins.left }}mm", "{{ p.margins.bottom }}mm {{ p.margins.left - 5 }}mm",
@@ -17,4 +19,14 @@ FAULTS = (
           'return re.sub(r"(?<=\\s)–(?=\\s)", dash, text)', "return text", tests=PROFILES),
     Fault("a page's number in the middle where it stands aside", "templates/profile.css.j2",
           '("right" if p.aside else "center")', '"center"', tests=PROFILES),
+    Fault("a printed note whose contents name the page before", "tmm_report/commands/printing.py",
+          'enumerate(_leaves(pdf, _reference(root, b"Pages")), 1)',
+          'enumerate(_leaves(pdf, _reference(root, b"Pages")))',
+          tests=PRINT),
+    Fault("references of a printed note beside their objects", "tmm_report/commands/printing.py",
+          "at + longer if at > start else at", "at", tests=PRINT),
+    Fault("an assignment sheet without its dates", "templates/chapters/assignment.j2",
+          "{% if assignment.due %}", "{% if assignment.issued %}", tests=FRONT),
+    Fault("who signs is left out of the title page", "templates/chapters/title.j2",
+          "{% for role, name in title.signed %}", "{% for role, name in title.signed[1:] %}", tests=FRONT),
 )  # fmt: skip

@@ -1,11 +1,11 @@
-"""The blocks `title`, `note`, `language` and `decimal_sign` of a variant."""
+"""The blocks `title`, `assignment`, `note`, `language` and `decimal_sign` of a variant."""
 
 from collections.abc import Iterator
 from typing import Annotated, Literal, TypedDict
 
 from pydantic import Field
 
-from tmm_report.chapters.title.given import Note, Title
+from tmm_report.chapters.title.given import Assignment, Note, Title
 from tmm_report.chapters.title.pieces import PIECES, Depth
 from tmm_report.languages import DEFAULT, DecimalSign, language
 from tmm_report.problems import N_, Message, Problem, mistake
@@ -14,12 +14,24 @@ from tmm_report.variant.language import CODE
 from tmm_report.variant.model import Model, Read
 from tmm_report.variant.values import Text
 
+Lines = Annotated[list[Text], Field(max_length=40)]
+
+
+class SignerModel(Model):
+    """A line to sign on: what the person is, and the name."""
+
+    role: Text
+    name: Text = ""
+
 
 class TitleModel(Model):
     """The title page. Every field is free text."""
 
+    ministry: Text = ""
     institution: Text = ""
     department: Text = ""
+    lines: Lines = Field(default_factory=list, description="free lines under the department")
+    designation: Text = Field(default="", description="of the document, such as ТММ.05.12.000 ПЗ")
     course: Text = ""
     topic: Text = ""
     student: Text = ""
@@ -28,6 +40,20 @@ class TitleModel(Model):
     teacher: Text = ""
     city: Text = ""
     year: Text = ""
+    signed: Annotated[list[SignerModel], Field(max_length=10)] = Field(
+        default_factory=list, description="who signs it beside the student and the teacher"
+    )
+
+
+class AssignmentModel(Model):
+    """The assignment sheet, behind the title page."""
+
+    approved: SignerModel | None = Field(default=None, description="who approves it")
+    issued: Text = Field(default="", description="date")
+    due: Text = Field(default="", description="date")
+    data: Lines = Field(default_factory=list, description="what is given, an item each")
+    contents: Lines = Field(default_factory=list, description="of the note; left out, its chapters")
+    sheets: Lines = Field(default_factory=list, description="of the drawings, an item each")
 
 
 Pieces = Annotated[list[Text], Field(max_length=100)]
@@ -61,9 +87,10 @@ class NoteModel(Model):
 class Block(model.Block):
     """The title page, and how the note is written."""
 
-    AS_WRITTEN = frozenset({"title"})
+    AS_WRITTEN = frozenset({"title", "assignment"})
 
     title: TitleModel = Field(default_factory=TitleModel)
+    assignment: AssignmentModel | None = None
     note: NoteModel = Field(default_factory=NoteModel)
     language: Annotated[str, CODE] = Field(default=DEFAULT, description="of the note")
     decimal_sign: DecimalSign | None = Field(default=None, description="left out, it follows the language")
@@ -71,6 +98,7 @@ class Block(model.Block):
 
 class Given(TypedDict):
     title: Title
+    assignment: Assignment | None
     note: Note
     language: str
     decimal_sign: DecimalSign
@@ -79,11 +107,27 @@ class Given(TypedDict):
 def given(read: Read) -> Given:
     block = read.block(Block)
     return {
-        "title": Title(**block.title.model_dump()),
+        "title": _title(block.title),
+        "assignment": _assignment(block.assignment) if block.assignment else None,
         "note": _note(block.note),
         "language": block.language,
         "decimal_sign": block.decimal_sign or language(block.language).decimal,
     }
+
+
+def _title(stated: TitleModel) -> Title:
+    texts = stated.model_dump(exclude={"lines", "signed"})
+    return Title(**texts, lines=tuple(stated.lines), signed=tuple(map(_signer, stated.signed)))
+
+
+def _signer(stated: SignerModel) -> tuple[str, str]:
+    return stated.role, stated.name
+
+
+def _assignment(stated: AssignmentModel) -> Assignment:
+    approved = _signer(stated.approved) if stated.approved else None
+    lists = {name: tuple(getattr(stated, name)) for name in ("data", "contents", "sheets")}
+    return Assignment(approved, stated.issued, stated.due, **lists)
 
 
 def _note(stated: NoteModel) -> Note:

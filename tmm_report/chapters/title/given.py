@@ -1,4 +1,4 @@
-"""The title page: what is written on it; and how much the note says."""
+"""The title page and the assignment sheet: what is written on them; and how much the note says."""
 
 from __future__ import annotations
 
@@ -8,10 +8,14 @@ from tmm_report.records import dataclass
 
 @dataclass(frozen=True)
 class Title:
-    """The title page; empty fields are left out of it."""
+    """The title page; empty fields are left out of it. `lines`: free ones under the department; `designation`: of the
+    document; `signed`: who signs it beside the student and the teacher, role and name."""
 
+    ministry: str = ""
     institution: str = ""
     department: str = ""
+    lines: tuple[str, ...] = ()
+    designation: str = ""
     course: str = ""
     topic: str = ""
     student: str = ""
@@ -20,6 +24,20 @@ class Title:
     teacher: str = ""
     city: str = ""
     year: str = ""
+    signed: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """The assignment sheet behind the title page. `data`: what is given; `contents`: of the note, else its chapters;
+    `sheets`: of the drawings; `approved`: who approves it, role and name."""
+
+    approved: tuple[str, str] | None = None
+    issued: str = ""
+    due: str = ""
+    data: tuple[str, ...] = ()
+    contents: tuple[str, ...] = ()
+    sheets: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,7 @@ angles: углы
 angular: угловой, угловое
 apart: раздельно
 appendix: приложение, приложения
+approved: утверждаю, утвердил
 arc: дуга
 arcs: из дуг
 area: площадь
@@ -110,11 +111,13 @@ dampers: демпферы
 damping: демпфирование
 damping_ratio: относительное демпфирование
 dash: тире
+data: данные, дано
 dead_zone: зона нечувствительности
 decimal_sign: десятичный знак
 deflection: осадка
 density: плотность
 depth: подробность
+designation: обозначение, шифр
 disc: диск
 displacement: перемещение
 distance: расстояние
@@ -124,6 +127,7 @@ driven: ведомая, ведомый
 driven_speed: скорость ведомого
 driving: ведущий
 drum: барабан
+due: срок сдачи, срок
 dwell: выстой
 dynamics: динамика
 eccentric: эксцентриковый механизм, эксцентрик
@@ -194,6 +198,7 @@ internal: внутреннее
 introduction: введение
 isodrome: изодром
 isolators: виброизоляторы
+issued: выдано, дата выдачи
 joined: соединены, одно целое
 joints: шарниры
 journal: цапфа
@@ -234,6 +239,7 @@ meshes: зацепления
 method: метод
 methods: методы
 middle: середина
+ministry: министерство
 modules: модули
 motor: мотор, двигатель
 motors: двигатели
@@ -323,6 +329,7 @@ rocker_turn: поворот коромысла
 rod: шатун
 rod_length: длина шатуна
 rod_ratio: относительная длина шатуна
+role: должность, кто
 roller: ролик
 rolling: качение
 rope: канат
@@ -345,11 +352,13 @@ shaft: вал
 shaft_angle: угол между осями
 shafts: валы
 share: доля
+sheets: листы
 shifted: сдвиг
 shortens: укорачивается
 shunt: шунтовой, параллельного возбуждения
 side: сторона
 signatures: подписи
+signed: подписали, подписывают
 sine: четверть синусоиды
 size: размер, кегль
 slack: провисание

@@ -1,0 +1,126 @@
+"""`--print`: what the PDF of a browser has beside its pages: contents with page numbers, title, author, bookmarks."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import pytest
+from conftest import solved
+from notes import VARIANTS, program
+from once import once
+from typer.testing import CliRunner
+from typesetting import set_by_tex
+
+from tmm_report import render
+from tmm_report.cli import app
+from tmm_report.commands import printing
+from tmm_report.commands.printing import NoBrowser, PrintFailed, described, pages, print_pdf, with_pages
+
+NAME = "punch_press"
+
+
+@once
+def printed() -> bytes:
+    program(*printing.BROWSERS)
+    variant = solved(NAME).variant
+    return print_pdf(render(solved(NAME), "html", "ru")["note.html"], variant.title.student)
+
+
+@once
+def set_in_latex() -> bytes:
+    return set_by_tex(render(solved(NAME), "tex", "ru"), whole=True)[1]
+
+
+def told(command: str, pdf: bytes, *options: str) -> str:
+    """What a program of Poppler says of a PDF; nothing is wrong with it."""
+    with TemporaryDirectory() as place:
+        file = Path(place) / "note.pdf"
+        file.write_bytes(pdf)
+        done = subprocess.run(
+            [program(command), *options, str(file), *(["-"] if command == "pdftotext" else [])],
+            capture_output=True,
+        )
+    assert done.returncode == 0 and done.stderr == b"", done.stderr
+    return done.stdout.decode()
+
+
+def test_the_contents_name_the_pages_on_which_the_headings_stand():
+    """Read off the printed pages by another program."""
+    sheets = [
+        [" ".join(line.split()) for line in page.splitlines()]
+        for page in told("pdftotext", printed(), "-layout").split("\f")
+    ]
+    listed = [
+        match
+        for line in sheets[1]
+        if (match := re.fullmatch(r"(.*?\S) (\d+)", line)) and not re.fullmatch(r"\d+", match[1])
+    ]
+    assert len(listed) > 8
+    for line in listed:
+        title, number = line[1], int(line[2])
+        assert any(
+            one.startswith(re.sub(r"(?<=ПРИЛОЖЕНИЕ А).*", "", title)[:40]) for one in sheets[number - 1]
+        ), line[0]
+    assert [int(line[2]) for line in listed] == sorted(int(line[2]) for line in listed)
+    assert "СОДЕРЖАНИЕ" in sheets[1]
+
+
+@pytest.mark.parametrize("pdf", [printed, pytest.param(set_in_latex, marks=pytest.mark.exhaustive)])
+def test_the_pdf_has_its_title_its_author_and_bookmarks(pdf):
+    title = solved(NAME).variant.title
+    said = told("pdfinfo", pdf())
+    assert re.search(rf"^Title: +{re.escape(title.topic)}$", said, re.M)
+    assert re.search(rf"^Author: +{re.escape(title.student)}$", said, re.M)
+    marks = re.findall(r'<item page="\d+">(.*?)</item>', told("pdftohtml", pdf(), "-xml", "-i", "-stdout"))
+    wanted = {"Введение", "1 Маховик", "Заключение", "Список использованных источников"}
+    assert set(map(str.casefold, wanted)) <= set(map(str.casefold, marks))
+
+
+def test_the_same_note_gives_the_same_bytes_and_every_reference_leads_to_its_object():
+    pdf = printed()
+    assert (
+        printing.print_pdf(
+            render(solved(NAME), "html", "ru")["note.html"], solved(NAME).variant.title.student
+        )
+        == pdf
+    )
+    assert b"CreationDate" not in pdf
+    table = pdf[int(re.findall(rb"startxref\n(\d+)", pdf)[-1]) :]
+    assert table.startswith(b"xref\n")
+    for number, (at, kind) in enumerate(re.findall(rb"(\d{10}) \d{5} ([nf]) \n", table)):
+        assert kind == b"f" or pdf[int(at) :].startswith(b"%d 0 obj" % number)
+
+
+def test_a_page_without_contents_or_of_another_program_is_told():
+    assert with_pages(b"<p>no contents</p>", {"section1": 3}) == b"<p>no contents</p>"
+    lines = b'<p class="level1"><a href="#a">A</a></p><p class="level1"><a href="#b">B</a></p>'
+    nav = b'<nav class="contents">' + lines + b"</nav>"
+    assert with_pages(nav, {"a": 7}).count(b'<span class="page">7</span>') == 1
+    for pdf in (b"", b"%PDF-1.4\n", b"%PDF-1.4\ntrailer\n<</Root 1 0 R>>\nstartxref\n0\n%%EOF"):
+        with pytest.raises(PrintFailed):
+            pages(pdf)
+        with pytest.raises(PrintFailed):
+            described(pdf, "A")
+
+
+def test_without_a_browser_the_note_is_written_and_that_is_said(tmp_path, monkeypatch):
+    monkeypatch.setattr(printing.shutil, "which", lambda name: None)
+    with pytest.raises(NoBrowser):
+        print_pdf(b"")
+    done = CliRunner().invoke(
+        app, ["solve", str(VARIANTS / "rotor.yaml"), "-o", str(tmp_path / "n"), "--print", "--lang", "en"]
+    )
+    assert done.exit_code == 1 and "no Chromium" in done.output
+    assert (tmp_path / "n" / "note.html").is_file() and not (tmp_path / "n" / "note-print.pdf").exists()
+
+
+def test_a_browser_that_stops_is_told(tmp_path, monkeypatch):
+    stopped = tmp_path / "chromium"
+    stopped.write_text("#!/bin/sh\necho broken >&2\nexit 3\n")
+    stopped.chmod(0o755)
+    monkeypatch.setattr(printing.shutil, "which", lambda name: str(stopped))
+    with pytest.raises(PrintFailed, match="broken"):
+        print_pdf(b"<p></p>")

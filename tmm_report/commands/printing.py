@@ -1,0 +1,155 @@
+"""note.html -> PDF by an installed Chromium, with what its print leaves out: page numbers in the contents, the author.
+
+No browser knows the page of what a link leads to while it lays a page out (`target-counter` of CSS: Chromium 156 has it
+not). So the note is printed twice: the first PDF says on which page each heading stands, the second has it printed.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+from tmm_report.commands.pdf import run_alone
+
+BROWSERS = (
+    "chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "msedge", "microsoft-edge",
+)  # fmt: skip
+OPTIONS = (
+    "--headless", "--disable-gpu", "--no-first-run", "--disable-extensions", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync", "--no-pdf-header-footer", "--generate-pdf-document-outline",
+)  # fmt: skip
+TIMES = (
+    3  # numbers that move a heading to another page would be printed anew; they stand in lines of their own
+)
+
+
+class NoBrowser(Exception):
+    """There is no Chromium on this machine."""
+
+
+class PrintFailed(Exception):
+    """The browser stopped, or printed what is no PDF of a note; the text says what is known."""
+
+
+def print_pdf(html: bytes, author: str = "") -> bytes:
+    """The note as the browser prints it. Raises NoBrowser, PrintFailed, or OSError where there is no place to do it.
+
+    The page loads nothing and runs nothing (its Content-Security-Policy); the browser has a profile of its own, and is
+    stopped with all its children when its time is up.
+    """
+    program = next((path for path in map(shutil.which, BROWSERS) if path), None)
+    if program is None:
+        raise NoBrowser
+    found: Mapping[str, int] = {}
+    for _ in range(TIMES):
+        pdf = _printed(program, with_pages(html, found))
+        before, found = found, pages(pdf)
+        if found == before:
+            break
+    return described(pdf, author)
+
+
+def _printed(program: str, html: bytes) -> bytes:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as place:
+        folder = Path(place)
+        (folder / "note.html").write_bytes(html)
+        command = [
+            program,
+            *OPTIONS,
+            f"--user-data-dir={folder / 'profile'}",
+            f"--print-to-pdf={folder / 'note.pdf'}",
+        ]
+        if getattr(os, "geteuid", lambda: 1)() == 0:
+            command.append("--no-sandbox")  # Chromium does not start for root with it
+        log = run_alone([*command, (folder / "note.html").as_uri()], place, PrintFailed)
+        try:
+            return (folder / "note.pdf").read_bytes()
+        except FileNotFoundError:
+            raise PrintFailed(log[-2000:]) from None
+
+
+# --- the contents
+
+_LINE = re.compile(r'(<p class="level\d"><a href="#([^"]+)">.*?</a>)(?=</p>)', re.S)
+
+
+def with_pages(html: bytes, found: Mapping[str, int]) -> bytes:
+    """The note with the pages of its headings in the lines of the contents."""
+    head, nav, rest = html.decode().partition('<nav class="contents">')
+    lines, end, rest = rest.partition("</nav>")
+
+    def numbered(line: re.Match[str]) -> str:
+        page = found.get(line[2])
+        return line[1] if page is None else f'{line[1]}<span class="page">{page}</span>'
+
+    return "".join((head, nav, _LINE.sub(numbered, lines), end, rest)).encode()
+
+
+# --- the PDF, as Skia writes it: a table of references, objects that are not packed
+
+
+def pages(pdf: bytes) -> dict[str, int]:
+    """Anchor -> page, from 1, of what the links of the note lead to. Raises PrintFailed for another PDF."""
+    root = _object(pdf, _reference(_trailer(pdf), b"Root"))
+    order = {number: k for k, number in enumerate(_leaves(pdf, _reference(root, b"Pages")), 1)}
+    named = re.findall(rb"/(\S+) \[(\d+) 0 R /XYZ", _object(pdf, _reference(root, b"Dests")))
+    return {name.decode(): order[int(number)] for name, number in named if int(number) in order}
+
+
+def _leaves(pdf: bytes, number: int) -> list[int]:
+    """The pages under a node of their tree, in order."""
+    node = _object(pdf, number)
+    kids = re.search(rb"/Kids \[([^\]]*)\]", node)
+    if kids is None:
+        return [number]
+    return [leaf for kid in re.findall(rb"(\d+) 0 R", kids[1]) for leaf in _leaves(pdf, int(kid))]
+
+
+def described(pdf: bytes, author: str) -> bytes:
+    """The PDF with its author, and without the clock: the same note gives the same bytes."""
+    start, end = _span(pdf, _reference(_trailer(pdf), b"Info"))
+    title = re.search(rb"/Title (<[0-9A-F]*>|\((?:\\.|[^\\)])*\))", pdf[start:end])
+    lines = [b"/Title " + title[1]] if title else []
+    lines += [b"/Author <FEFF" + author.encode("utf-16-be").hex().upper().encode() + b">"] if author else []
+    body = b"<<" + b"\n".join([*lines, b"/Producer (Skia/PDF)"]) + b">>\n"
+    longer = len(body) - (end - start)
+
+    def moved(line: re.Match[bytes]) -> bytes:
+        at = int(line[1])
+        return b"%010d" % (at + longer if at > start else at) + line[2]
+
+    table = pdf.rindex(b"\nxref\n")
+    references = re.sub(rb"(\d{10})( \d{5} n )", moved, pdf[table:])
+    references = re.sub(rb"(?<=startxref\n)\d+", lambda at: b"%d" % (int(at[0]) + longer), references)
+    return pdf[:start] + body + pdf[end:table] + references
+
+
+def _trailer(pdf: bytes) -> bytes:
+    found = re.search(rb"trailer\n(<<.*?>>)\nstartxref\n\d+\n%%EOF", pdf[-4096:], re.S)
+    if found is None:
+        raise PrintFailed("not a PDF as Chromium prints it")
+    return found[1]
+
+
+def _reference(record: bytes, key: bytes) -> int:
+    found = re.search(rb"/" + key + rb" (\d+) 0 R", record)
+    if found is None:
+        raise PrintFailed(f"the PDF has no {key.decode()}")
+    return int(found[1])
+
+
+def _span(pdf: bytes, number: int) -> tuple[int, int]:
+    """Where the body of an object begins and ends."""
+    head = re.search(rb"(?:^|\n)%d 0 obj\n" % number, pdf)
+    if head is None:
+        raise PrintFailed(f"the PDF has no object {number}")
+    return head.end(), pdf.index(b"endobj", head.end())
+
+
+def _object(pdf: bytes, number: int) -> bytes:
+    start, end = _span(pdf, number)
+    return pdf[start:end]
