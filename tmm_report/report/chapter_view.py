@@ -128,14 +128,19 @@ class BookView:
 
     # --- over the cycle
 
-    def by_positions(self, caption: Any, name: str, keys: Iterable[str | layout.Column] = ()) -> layout.Table:
+    def by_positions(
+        self, caption: Any, name: str, keys: Iterable[str | layout.Column] = (), joined: bool = False
+    ) -> layout.Table:
         """A table by positions: their numbers, then its columns by their keys, or others that are ready; without `keys`
-        all of them but the angle turned."""
+        all of them but the angle turned. `joined`: positions alike that follow one another stand in one row."""
         chosen = [*keys] or [
             one.key for one in self.table(name).columns if one.key not in ("position", "phi")
         ]
         columns = [self.column(name, one) if isinstance(one, str) else one for one in chosen]
-        return numeric(caption, self.page.positions(self.table(name)), columns)
+        first = self.page.positions(self.table(name))
+        if joined:
+            first, columns = layout.joined(first, columns)
+        return numeric(caption, first, columns)
 
     def over_cycle(self, name: str, of: Iterable[str | Line], positions: int = 0, join: bool = True) -> Graph:
         """Columns of a table over the angle turned, each in a panel of its own, or lines in theirs; an axis has letter

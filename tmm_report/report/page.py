@@ -35,7 +35,7 @@ from tmm_report.report.bytecode import bytecode_cache
 from tmm_report.report.formats import Format
 from tmm_report.report.numbering import Appendix, Numbering, Place
 from tmm_report.report.paper import layout
-from tmm_report.report.paper.layout import Cell, Words
+from tmm_report.report.paper.layout import Cell, Words, runs
 from tmm_report.report.paper.sheets import Paper
 from tmm_report.report.part import WHOLE, Note
 from tmm_report.report.sources import SOURCES
@@ -424,6 +424,14 @@ class Page:
 
     def unit(self, unit: str) -> str:
         return unit_text(unit, self.tr.language)
+
+    def runs(self, numbers: Sequence[int]) -> Markup:
+        """Numbers in their order, three and more that follow one another as "7–9"."""
+        return self.listed(
+            text
+            for run in runs(numbers)
+            for text in ([f"{run[0]}–{run[-1]}"] if len(run) > 2 else map(str, run))
+        )
 
     def listed(self, items: Iterable[Any], between: str = ", ") -> Markup:
         return Markup(str.join(self.text(between), map(self.text, map(_indexed, items))))

@@ -12,6 +12,7 @@ FACED, DREW = (
     ("tests/chapters/cams/test_faces_and_rules.py",),
     ("tests/chapters/cams/test_centres_drawing.py",),
 )
+NOTED = ("tests/chapters/cams/test_cam_note.py",)
 STATED = ("tests/statements/test_statements.py",)
 BLOCK, DRAWN = "tmm_report/chapters/cams/cam/block/", "tmm_report/chapters/cams/cam/draw/"
 
@@ -90,4 +91,21 @@ FAULTS = (
           "fast.unit, text).value(omega * end.first)", "fast.unit, text).value(end.first)", CAM_PRESS, STATED),
     Fault("cam sizes: both sides of the change exchanged", "tmm_report/chapters/cams/cam/quantities/arcs.py",
           "start, end, nose, tip = rows[:4]", "start, nose, end, tip = rows[:4]", CAM_PRESS, STATED),
+    # --- the note of a cam ---
+    Fault("cam note: rows alike that do not follow one another stand together", "tmm_report/report/paper/layout.py",
+          "alike = [list(run) for _, run in groupby(range(len(rows)), key=rows.__getitem__)]",
+          "alike = [list(run) for _, run in groupby(sorted(range(len(rows)), key=rows.__getitem__), "
+          "key=rows.__getitem__)]", "valve_cam", NOTED),
+    Fault("cam note: a run ends a row too early", "tmm_report/report/paper/layout.py",
+          "first.cells[run[-1]]", "first.cells[run[-2]]", "valve_cam", NOTED),
+    Fault("cam note: the limit of the rise is told for the return", "templates/chapters/cams/pair.j2",
+          'back_limit=cam.number("cam_alpha_back")', 'back_limit=cam.number("cam_alpha_limit")', "valve_cam", NOTED),
+    Fault("cam note: a stated offset is called the best", "tmm_report/chapters/cams/cam/view.py",
+          "abs(self.found.offset - zone.best.e) < ALIKE", "abs(self.found.offset - zone.best.e) < 1e9", "valve_cam",
+          NOTED),
+    Fault("cam note: parts of the forces twice", "tmm_report/chapters/cams/cam_forces/view.py",
+          '*(self._parts if self.apart else ())', "*()", "valve_cam", NOTED),
+    Fault("cam note: a pressure angle is called none", "tmm_report/chapters/cams/cam/view.py",
+          "np.max(np.abs(self.found.drawn.alpha), initial=0.0) < ALIKE",
+          "np.min(np.abs(self.found.drawn.alpha), initial=1.0) < 0.1", "valve_cam", NOTED),
 )  # fmt: skip

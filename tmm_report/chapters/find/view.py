@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -19,7 +19,7 @@ from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Book
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.diagrams import CycleGraphs, letter
-from tmm_report.report.page import Page
+from tmm_report.report.page import ROUNDING, Page
 from tmm_report.report.paper.layout import Table, numeric
 from tmm_report.report.part import Failed, Part
 
@@ -64,8 +64,22 @@ class FindView(BookView):
             return self.t(N_("its greatest value in the table"))
         return self.t(N_("its least value in the table")) if pick == "min" else self.t(N_("one row"))
 
+    @property
+    def met(self) -> bool:
+        return self.knows("wanted") and _met(self, ("",))
+
+    @property
+    def left(self) -> list[str]:
+        """Columns of the roots beside the numbers themselves."""
+        shown = ("rate",) if self.met else ("residual", "rate")
+        return [key for key in shown if key in self.table("roots")]
+
+    def agrees(self, *keys: str) -> bool:
+        return _agree(self, keys)
+
     def roots(self, caption: Any) -> Table:
-        return _roots(self, caption, [one.key for one in self.table("roots").columns][1:])
+        left = ("number", "residual") if self.met else ("number",)
+        return _roots(self, caption, [one.key for one in self.table("roots").columns if one.key not in left])
 
     def jumps(self) -> Markup:
         return self._places("jumps", "x")
@@ -156,8 +170,20 @@ class BothView(BookView):
     def made(self) -> Markup:
         return self.listed(("y", "y2"))
 
+    @property
+    def met(self) -> bool:
+        return _met(self, ("", "2"))
+
+    @property
+    def left(self) -> list[str]:
+        """Columns of what is left of the differences."""
+        return [] if self.met else ["residual", "residual2"]
+
+    def agrees(self, *keys: str) -> bool:
+        return _agree(self, keys)
+
     def roots(self, caption: Any) -> Table:
-        return _roots(self, caption, ["x", "x2", "residual", "residual2"])
+        return _roots(self, caption, ["x", "x2", *self.left])
 
     def rates(self, caption: Any) -> Table:
         return _roots(
@@ -188,6 +214,24 @@ class BothView(BookView):
             text = N_("Both demands cannot be met in the ranges: nearest is %(x)s, where %(y)s.")
             return [Failed(self.t(text, x=self.taken(), y=self.made()))]
         return [self.t(N_("Asked backwards, %(x)s; then %(y)s."), x=self.taken(), y=self.made())]
+
+
+def _agree(view: BookView, keys: Iterable[str]) -> bool:
+    """Whether relative differences are nothing but rounding."""
+    return all(abs(view.value(key).value) < ROUNDING for key in keys)
+
+
+def _met(view: BookView, lasts: Iterable[str]) -> bool:
+    """Whether at every root nothing but rounding is left of what is wanted."""
+    return all(
+        bool(
+            np.all(
+                np.abs(view.of("roots", f"residual{last}").values)
+                < ROUNDING * abs(view.value(f"wanted{last}").value)
+            )
+        )
+        for last in lasts
+    )
 
 
 def _roots(view: BookView, caption: Any, keys: Sequence[str]) -> Table:

@@ -38,6 +38,37 @@ PIECES: dict[str, Piece] = {
     "kinetostatics.extremes": Piece(N_("extremes of the reactions over the cycle")),
     "kinetostatics.works": Piece(N_("driving and resisting loads and their works")),
     "friction.corrected": Piece(N_("reactions corrected for friction"), course="appendix"),
+    "cam.zone": Piece(N_("where the axis of a cam may stand, drawn")),
+    "cam.free": Piece(
+        N_("the smallest cam with a free offset or distance of the pivots, where one is stated"),
+        course="appendix",
+    ),
+    "cam.laws": Piece(N_("laws of a cam after the first one, worked out")),
+    "cam.shocks": Piece(N_("table of the shocks of a law"), course="appendix"),
+    "cam.coordinates": Piece(
+        N_("coordinates of a cam's profile in a table of their own, velocities and accelerations")
+    ),
+    "cam.extremes": Piece(N_("extremes of a cam's pressure angle with its sign; the jerk")),
+    "cam.profile": Piece(
+        N_("profile of a cam that stands alone, drawn beside its construction"), course="omit"
+    ),
+    "cam.rules": Piece(N_("rules for the roller, worked out")),
+    "cam.sheet": Piece(
+        N_("construction of a cam by reversed motion as large as a sheet holds it; else it is reduced"),
+        course="omit",
+    ),
+    "cam.divisions": Piece(N_("motion of a follower at equal parts of the phases"), course="appendix"),
+    "cam_forces.springs": Piece(N_("springs that just keep a follower on its cam"), course="appendix"),
+    "cam_forces.spring_line": Piece(
+        N_("force of a spring over the displacement against what the inertia asks")
+    ),
+    "cam_forces.parts": Piece(
+        N_("what the forces of a cam are made of, position by position"), course="appendix"
+    ),
+    "cam_forces.ends": Piece(N_("least and greatest forces of a cam by its phases"), course="appendix"),
+    "methods.charts": Piece(
+        N_("errors of methods and tables, drawn over their costs and numbers of positions")
+    ),
     "flywheel.wittenbauer": Piece(N_("the flywheel by Wittenbauer's method"), course="appendix"),
     "flywheel.rerikh": Piece(N_("the flywheel by Rerikh's method"), course="appendix"),
     "balancing.left": Piece(

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Sequence
+from itertools import groupby
 from typing import Any, NamedTuple
 
 from markupsafe import Markup
@@ -219,6 +220,30 @@ def _telling(columns: Sequence[Column]) -> tuple[list[Column], list[Any]]:
     if not telling:
         return list(columns), []
     return telling, [column.letter for column in columns if column.nought]
+
+
+def runs(numbers: Sequence[int]) -> list[list[int]]:
+    """Numbers that follow one another, together."""
+    found: list[list[int]] = []
+    for k in numbers:
+        if found and k == found[-1][-1] + 1:
+            found[-1].append(k)
+        else:
+            found.append([k])
+    return found
+
+
+def joined(first: Column, columns: Sequence[Column]) -> tuple[Column, list[Column]]:
+    """Three and more rows that follow one another and differ by nothing but their numbers, as one row: "15–23"."""
+    rows = list(zip(*(column.cells for column in columns), strict=True))
+    alike = [list(run) for _, run in groupby(range(len(rows)), key=rows.__getitem__)]
+    blocks = [block for run in alike for block in ([run] if len(run) > 2 else [[k] for k in run])]
+    names = [
+        first.cells[run[0]] if len(run) == 1 else f"{first.cells[run[0]]}–{first.cells[run[-1]]}"
+        for run in blocks
+    ]
+    kept = [run[0] for run in blocks]
+    return Column(first.head, names), [Column(one.head, [one.cells[k] for k in kept]) for one in columns]
 
 
 def _blocks(widths: Sequence[float], room: float) -> list[range]:

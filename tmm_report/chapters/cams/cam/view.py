@@ -24,6 +24,7 @@ from tmm_report.mechanics.cams.sizes.least_size import Lever, Zone
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Book, Value
+from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.diagrams import CycleGraphs, points, scale_of
 from tmm_report.report.page import Page
@@ -49,6 +50,7 @@ def picture(found: Found, page: Page) -> Drawing:
     return profile.drawing(one, profile.scale(one))
 
 
+ALIKE = 1e-9  # of the cam: what differs by less is one
 BY_POLES = ("cam_gamma", "cam_gamma_pitch", "cam_x_pitch", "cam_y_pitch")  # left to the results
 
 
@@ -80,11 +82,18 @@ class CamView(BookView):
 
     def conclusions(self) -> list[Markup]:
         text = N_(
-            "The greatest pressure angle of cam %(cam)s in the rise is %(alpha)s°, the allowed one is %(limit)s°; the "
-            "least radius of curvature of its profile is %(rho)s mm."
+            "Cam %(cam)s has the sizes %(sizes)s; its greatest pressure angle in the rise is %(alpha)s°, with "
+            "%(limit)s° allowed, and the least radius of curvature of its profile is %(rho)s mm."
         )
         alpha, limit = self.number("cam_alpha_rise", places=1), self.number("cam_alpha_limit", places=1)
-        found = self.t(text, cam=self.cam.cam, alpha=alpha, limit=limit, rho=self.number("cam_rho"))
+        sizes = self.listed(SIZES)
+        if self.straight:
+            text = N_(
+                "Cam %(cam)s has the sizes %(sizes)s; the least radius of curvature of its profile is %(rho)s mm."
+            )
+        found = self.t(
+            text, cam=self.cam.cam, sizes=sizes, alpha=alpha, limit=limit, rho=self.number("cam_rho")
+        )
         return [*self._failures(), found]
 
     def _failures(self) -> Iterator[Markup]:
@@ -103,13 +112,18 @@ class CamView(BookView):
 
     # ------------------------------------------------------------ sizes and law
 
+    @property
+    def _sizes(self) -> tuple[str, ...]:
+        """A base circle that is found comes later."""
+        return SIZES if self.sizing is None else SIZES[1:]
+
     def sizes(self) -> Markup:
         """What is stated of the pair."""
-        return self.listed(SIZES)
+        return self.listed(self._sizes)
 
     def sizes_explained(self) -> list[dict[str, Any]]:
         """The same in words."""
-        values = [self.value(key) for key in SIZES if self.knows(key)]
+        values = [self.value(key) for key in self._sizes if self.knows(key)]
         return [self.page.explained(one.key, one, one.quantity.printed) for one in values]
 
     def of_base(self) -> list[Formula]:
@@ -152,6 +166,34 @@ class CamView(BookView):
     @cached_property
     def sizing(self) -> Sizing | None:
         return sizing(self.found, self.book)
+
+    def signs(self) -> dict[str, Markup]:
+        """Letters of what bounds the size, for a sentence."""
+        own = {"s": q.displacement, "slope": q.first, "bend": q.second, "alpha": q.pressure, "base": q.base}
+        named = {name: make(self.found).sign for name, make in own.items()}
+        pair = self.cam.name
+        named |= {"e": Symbol("e", pair), "s0": q.lowest_sign(self.found), "b": Symbol("b", pair)}
+        return {name: self.page.sym(sign) for name, sign in (named | {"rho": Symbol("rho", pair)}).items()}
+
+    def laid_off(self) -> Markup:
+        """What is laid off along the arm of a follower that swings."""
+        return self.page.listed(
+            [self.page.sym(self.value("cam_arm").symbol), self.page.sym(q.first(self.found).sign)], "·"
+        )
+
+    @cached_property
+    def freed(self) -> bool:
+        """Whether the offset, or the distance of the pivots, is that of the smallest cam."""
+        match self.cam.sized:
+            case Zone() as zone:
+                return abs(self.found.offset - zone.best.e) < ALIKE * self.cam.size
+            case Lever() as lever:
+                return abs(abs(self._pivot) - abs(lever.centres.best.p)) < ALIKE * self.cam.size
+        return False
+
+    @property
+    def _pivot(self) -> complex:
+        return complex(getattr(self.cam.motion, "pivot", 0j))
 
     @property
     def _zone(self) -> Zone:
@@ -212,6 +254,21 @@ class CamView(BookView):
 
     def centres(self) -> Drawing:
         return centres.drawing(self.found, self._lever, self._centres_mu)
+
+    def asks_once(self, name: str = "cam_least") -> bool:
+        """Whether one place alone asks most of the size: a sentence says it."""
+        return len(self.table(q.named(self.found, name))) == 1
+
+    def asking(self, name: str = "cam_least") -> Markup:
+        """The phase in which that place is."""
+        return self.t(str(self.table(q.named(self.found, name))["phase"].values[0]))
+
+    def asked_at(self, name: str = "cam_least") -> Markup:
+        """The place: angle, displacement, derivative."""
+        table = self.table(q.named(self.found, name))
+        own = [column.quantity for column in table.columns[1:]]
+        units = [(one.key, "mm" if one.unit == "m" else one.shown or one.unit) for one in own]
+        return self.page.values(table.var(key, 0, unit) for key, unit in units)
 
     def asked(self, caption: Any, name: str = "cam_least") -> Table:
         """What rise and return ask."""
@@ -293,8 +350,29 @@ class CamView(BookView):
         """Whether the profile that the law asks for cuts itself; that under an edge has corners alone."""
         return self.hard and self.cam.roller != 0
 
+    @cached_property
+    def straight(self) -> bool:
+        """Whether the cam presses along the motion of the follower, as under a flat face across it."""
+        return bool(np.max(np.abs(self.found.drawn.alpha), initial=0.0) < ALIKE)
+
     def motion(self, caption: Any) -> Table:
-        return self.by_positions(caption, q.named(self.found, "cam_motion", "table"))
+        name = q.named(self.found, "cam_motion", "table")
+        left = {"position", "phi", *([q.pressure(self.found).key] if self.straight else [])}
+        keys = [one.key for one in self.table(name).columns if one.key not in left]
+        return self.by_positions(caption, name, keys, joined=True)
+
+    @property
+    def apart(self) -> bool:
+        """Whether the coordinates of the profile have a table of their own."""
+        return self.page.note.stand("cam.coordinates") != "omit"
+
+    def together(self, caption: Any) -> Table:
+        """Motion and polar coordinates of the profile in one table, without what follows from the speed."""
+        motion, curve = q.named(self.found, "cam_motion", "table"), q.named(self.found, "cam_profile")
+        keys = [make(self.found).key for make in (q.displacement, q.first, q.second, q.pressure)]
+        keys = keys[: 3 if self.straight else 4]
+        polar = [self.column(curve, q.named(self.found, key)) for key in ("cam_R", "cam_delta")]
+        return self.by_positions(caption, motion, [*keys, *polar])
 
     def profile_table(self, caption: Any) -> Table:
         table = self.table(q.named(self.found, "cam_profile"))
@@ -303,7 +381,23 @@ class CamView(BookView):
             caption, table.name, [one.key for one in table.columns if one.key not in left]
         )
 
+    @property
+    def limited_back(self) -> bool:
+        """Whether the pressure angle of the return is limited."""
+        return self.cam.back is not None
+
+    @property
+    def dwells_curved(self) -> bool:
+        """Whether the profile is curved most where the follower stands still."""
+        moving = self.found.moving
+        return moving is not None and moving.value > self.found.least.value * (1 + ALIKE)
+
     # ------------------------------------------------------------ of a cam alone
+
+    @property
+    def parts(self) -> list[int]:
+        """Numbers of the phases that are divided into equal parts."""
+        return [part.phase + 1 for part in self.found.divided]
 
     def divisions(self, part: Divided) -> Table:
         """Motion and centre profile, or profile, at the ends of the equal parts of a phase."""
@@ -324,7 +418,8 @@ class CamView(BookView):
 
     @cached_property
     def diagram(self) -> Graph:
-        """Displacement, its derivatives and the pressure angle between its limits over the angle turned."""
+        """Displacement, its derivatives and, where there is one, the pressure angle between its limits over the angle
+        turned."""
         drawn = self.found.drawn
         curves = [
             Curve(x, panel=panel, extremes=points(ends))
@@ -332,10 +427,14 @@ class CamView(BookView):
                 zip((drawn.S, drawn.first, drawn.second), self.found.ends, strict=True)
             )
         ]
-        limit = np.degrees(self.cam.limit)
-        curves.append(Curve(np.degrees(drawn.alpha), panel=3, extremes=self._greatest_angles))
-        curves += [Curve(np.full_like(drawn.alpha, sign * limit), panel=3, extremes=()) for sign in (1, -1)]
-        named = [make(self.found) for make in (q.displacement, q.first, q.second, q.pressure)]
+        named = [make(self.found) for make in (q.displacement, q.first, q.second)]
+        if not self.straight:
+            limit = np.degrees(self.cam.limit)
+            curves.append(Curve(np.degrees(drawn.alpha), panel=3, extremes=self._greatest_angles))
+            curves += [
+                Curve(np.full_like(drawn.alpha, sign * limit), panel=3, extremes=()) for sign in (1, -1)
+            ]
+            named.append(q.pressure(self.found))
         graphs = CycleGraphs(drawn.turned, self.found.turn.numbered, self.page.tr)
         return graphs.graph(curves, [graphs.axis(one) for one in named])
 
@@ -372,6 +471,12 @@ class MadeView(BookView):
     def walls(self, caption: Any) -> Table:
         return self.by_positions(caption, "cam_walls")
 
+    @property
+    def exact(self) -> bool:
+        """Whether the profile gives its law back but for rounding."""
+        lift = self.made.found.lift
+        return self.made.proof.value < ALIKE * lift
+
     def sheet(self) -> Drawing:
         return sheet.drawing(self.made, self._mu)
 
@@ -381,3 +486,14 @@ class MadeView(BookView):
 
     def scale_var(self) -> Var:
         return scale_of("mu_l", self._mu, "m/mm")
+
+    def reduced(self) -> Drawing:
+        """The same where it shares a page."""
+        return sheet.drawing(self.made, self._reduced_mu)
+
+    @cached_property
+    def _reduced_mu(self) -> float:
+        return sheet.scale(self.made, sheet.SHARED)
+
+    def reduced_scale(self) -> Var:
+        return scale_of("mu_l", self._reduced_mu, "m/mm")

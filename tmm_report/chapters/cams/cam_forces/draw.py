@@ -11,11 +11,13 @@ from tmm_report.chapters.cams.cam_forces.solve import Found
 from tmm_report.figures.charts.plane import Trace, framed, plane
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN
+from tmm_report.quantity.paper import round_scale
 from tmm_report.quantity.units import factor
 from tmm_report.report.diagrams import CycleGraphs
 from tmm_report.report.page import Page
 
 FINE = 1441
+FIELD = (110.0, 70.0)  # mm: largest width and height between the axes
 
 
 def loop(found: Found, page: Page) -> Drawing:
@@ -38,4 +40,6 @@ def loop(found: Found, page: Page) -> Drawing:
     force = q.spring(found)
     along = graphs.letter(own.sign, shown)
     up = graphs.letter(force.sign, force.unit)
-    return plane(framed([curve, held]), traces, along, up, page.num)
+    spans = [(ends.max() - min(0.0, ends.min())) or 1.0 for ends in (x, np.append(asked, held.imag))]
+    mu = [round_scale(span, room) for span, room in zip(spans, FIELD, strict=True)]
+    return plane(framed([curve, held], scales=(mu[0], mu[1])), traces, along, up, page.num)

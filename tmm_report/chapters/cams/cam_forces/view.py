@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator
 from functools import cached_property
 from typing import Any
@@ -15,7 +16,7 @@ from tmm_report.chapters.cams.cam.quantities.names import speed
 from tmm_report.chapters.cams.cam.solve.found import Cams
 from tmm_report.chapters.cams.cam_forces import quantities as q
 from tmm_report.chapters.cams.cam_forces.draw import loop
-from tmm_report.chapters.cams.cam_forces.solve import Found
+from tmm_report.chapters.cams.cam_forces.solve import JAMS, LEFT, PRESSED, Found
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
@@ -24,9 +25,15 @@ from tmm_report.quantity.functions import arctan
 from tmm_report.quantity.model import Book
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.diagrams import CycleGraphs
-from tmm_report.report.page import Page
+from tmm_report.report.page import ROUNDING, Page
 from tmm_report.report.paper.layout import Table, numeric, worded
 from tmm_report.report.part import Failed, Part
+
+STATES = {
+    PRESSED: N_("At %(angles)s the cam presses the follower."),
+    LEFT: N_("At %(angles)s the follower has left the cam."),
+    JAMS: N_("At %(angles)s the follower jams."),
+}
 
 
 def parts(found: Found, page: Page, label: str = "") -> Iterator[Part]:
@@ -53,7 +60,75 @@ class ForcesView(BookView):
         return 0
 
     def conclusions(self) -> list[Markup]:
-        return [*self._failures(), *([self.turning()] if not self.found.jams else [])]
+        held = N_("The follower is held on the cam by a spring with %(sizes)s.")
+        said = [self.t(held, sizes=self.listed(("cam_F0", "cam_c")))] if self.found.springs else []
+        return [*self._failures(), *said, *([self.turning()] if not self.found.jams else [])]
+
+    def needed_sign(self) -> Markup:
+        return self.page.sym(q.needed(self.found).sign)
+
+    @property
+    def exact(self) -> bool:
+        """Whether two ways to the moment of the drive differ by rounding alone."""
+        return self.value("cam_disagreement").value < ROUNDING
+
+    def chosen_spring(self) -> Markup:
+        """Preload and rate."""
+        return self.t(N_("It has %(sizes)s."), sizes=self.listed(("cam_F0", "cam_c")))
+
+    def rubbing(self) -> Markup:
+        """How friction turns the forces, of what rubs in this mechanism."""
+        rubs, flat = self.found.loaded.rubs, self.found.cam.cam.flat
+        said = []
+        if rubs.guide is not None and rubs.guide.friction:
+            said.append(
+                N_(
+                    "In the guide it acts at both ends, each pressed as the lean of the cam's force and its overhang "
+                    "ask."
+                )
+            )
+        if rubs.pin:
+            said.append(
+                N_(
+                    "In the roller's pin it turns the force of the cam so that this touches the friction circle."
+                )
+            )
+        if rubs.face:
+            said.append(
+                N_("On the flat face it turns the force of the cam from the normal by the angle of friction.")
+                if flat
+                else N_("On the edge it turns the force of the cam from the normal by the angle of friction.")
+            )
+        if rubs.pivot is not None and rubs.pivot.friction:
+            said.append(N_("In the follower's pivot it takes a moment by the radius of its friction circle."))
+        return self.page.listed(map(self.t, said), " ")
+
+    def drawn(self) -> Markup:
+        """The caption of the diagram."""
+        pressed = self.found.contact is not None
+        if self.found.slides:
+            text = (
+                N_(
+                    "Force that the follower needs and normal force, moment of the drive and "
+                    "pressure in the contact over the turn of the cam"
+                )
+                if pressed
+                else N_(
+                    "Force that the follower needs and normal force, moment of the drive over the turn of the cam"
+                )
+            )
+        else:
+            text = (
+                N_(
+                    "Moment that the follower needs, normal force, moment of the drive and "
+                    "pressure in the contact over the turn of the cam"
+                )
+                if pressed
+                else N_(
+                    "Moment that the follower needs, normal force and moment of the drive over the turn of the cam"
+                )
+            )
+        return self.t(text)
 
     def turning(self) -> Markup:
         """The moment of the drive over the turn."""
@@ -184,8 +259,31 @@ class ForcesView(BookView):
 
     # ------------------------------------------------------------ tables
 
+    @property
+    def apart(self) -> bool:
+        """Whether the parts of the forces stand in a table of their own, or are left out."""
+        return self.page.note.stand("cam_forces.parts") != "body" and bool(self._parts)
+
+    @property
+    def _parts(self) -> list[str]:
+        own = (
+            "cam_load",
+            "cam_weight",
+            "cam_spring",
+            "cam_inertia",
+            *(f"cam_T_{name}" for name in q.LOST),
+            "cam_T_fr",
+        )
+        return [key for key in own if key in self.rows]
+
     def forces(self, caption: Any) -> Table:
-        return self.by_positions(caption, "cam_forces_table")
+        """What the follower needs, normal force, moment of the drive; their parts where they are not `apart`."""
+        left = {"position", "phi", *(self._parts if self.apart else ())}
+        keys = [one.key for one in self.rows.columns if one.key not in left]
+        return self.by_positions(caption, "cam_forces_table", keys, joined=True)
+
+    def forces_in_parts(self, caption: Any) -> Table:
+        return self.by_positions(caption, "cam_forces_table", self._parts, joined=True)
 
     def asked(self, caption: Any) -> Table:
         """Numbers at the angles that are asked."""
@@ -196,13 +294,15 @@ class ForcesView(BookView):
         )
 
     def states(self) -> Markup:
-        """Of the angles asked at which the cam does not press."""
+        """What the follower does at the angles asked, all that are alike together."""
         table, page = self.table("cam_asked"), self.page
-        text, said = N_("at %(at)s° %(state)s"), []
+        at = defaultdict[str, list[Markup]](list)
         for row, state in enumerate(table["state"].values):
-            at = page.said(page.cell(table, "phi", row))
-            said.append(self.t(text, at=at, state=self.t(str(state))))
-        return page.listed(said, "; ")
+            angle = page.listed([page.said(page.cell(table, "phi", row)), "°"], "")
+            at[str(state)].append(angle)
+        return page.listed(
+            [self.t(STATES[state], angles=page.listed(angles)) for state, angles in at.items()], " "
+        )
 
     def ends(self, caption: Any) -> Table:
         """Least and greatest of the phases."""
@@ -224,7 +324,7 @@ class ForcesView(BookView):
         rows = [
             [
                 page.word(self.t(table["kind"].values[row]), table, "kind", row),
-                *(page.cell(table, key, row, digits=4) for key in keys),
+                *(page.cell(table, key, row) for key in keys),
             ]
             for row in range(len(table))
         ]

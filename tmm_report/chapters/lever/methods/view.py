@@ -19,7 +19,7 @@ from tmm_report.quantity.model import Book
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.diagrams import letter
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import DASH, Cell, Table, worded
+from tmm_report.report.paper.layout import Cell, Table, worded
 from tmm_report.report.part import Part
 from tmm_report.report.words import method_name
 
@@ -102,7 +102,7 @@ class MethodsView(BookView):
             return self.t(LOSES)
         if row in family.front:
             return self.page.word(self.t("nothing is both cheaper and more accurate"), table, "front", row)
-        return DASH
+        return ""
 
     def where_tried(self, family: Family) -> list[dict[str, Any]]:
         table, page = self.table(f"methods_{family.key}"), self.page

@@ -17,13 +17,14 @@ from tmm_report.figures.primitives import Arrow
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN
 from tmm_report.mechanics.cams.sizes.least_face import Face
 
+ROOM = (140.0, 95.0)  # mm: what the diagram may fill
 TANGENT = Pen(0.22, "blue")
 PAST = 8.0  # mm: how far lines go on
 
 
 def scale(found: CamFound, under: Face) -> float:
     """At which the diagram fits a page, m/mm."""
-    return finest(found.lift + 2 * found.cam.base, partial(_items, found, under))
+    return finest(found.lift + 2 * found.cam.base, partial(_items, found, under), ROOM)
 
 
 def drawing(found: CamFound, under: Face, mu: float) -> Drawing:

@@ -31,7 +31,7 @@ from tmm_report.figures.lettering import Symbol, symbol
 from tmm_report.figures.schemes import marks
 from tmm_report.quantity.paper import ROUND
 
-ROOM = (140.0, 180.0)  # mm: what the drawing may fill
+ROOM = (140.0, 125.0)  # mm: what the drawing may fill
 FINE = 721
 PITCH = Pen(0.22, "blue", (5.0, 1.0, 0.6, 1.0))
 GHOST = Pen(0.22, "grey")

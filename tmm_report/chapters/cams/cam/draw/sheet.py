@@ -9,6 +9,7 @@ from functools import partial
 
 import numpy as np
 
+from tmm_report.chapters.cams.cam.draw import profile
 from tmm_report.chapters.cams.cam.draw.profile import FINE, PITCH, SMALL, finest
 from tmm_report.chapters.cams.cam.solve.found import CamFound
 from tmm_report.chapters.cams.cam.solve.making import Making
@@ -32,6 +33,7 @@ from tmm_report.figures.lettering import Symbol, symbol
 from tmm_report.figures.schemes import marks
 
 ROOM = (375.0, 365.0)  # mm: a sheet A2 with its caption, or a smaller one
+SHARED = profile.ROOM  # where text stands beside it
 MOST = 36  # positions in which the follower is drawn
 BEYOND = 9.0  # mm by which the axis of a follower goes past its end
 FACE = 0.35  # of the base circle's radius: half a drawn face, at least
@@ -39,9 +41,9 @@ WALL = Pen(0.5, "black")
 TOOL = Pen(0.22, "red", (3.0, 1.2))
 
 
-def scale(made: Making) -> float:
-    """At which the drawing fits its sheet, m/mm."""
-    return finest(2 * made.found.cam.base, partial(_items, made), ROOM)
+def scale(made: Making, room: tuple[float, float] = ROOM) -> float:
+    """At which the drawing fits its sheet, or another `room`, m/mm."""
+    return finest(2 * made.found.cam.base, partial(_items, made), room)
 
 
 def drawing(made: Making, mu: float) -> Drawing:

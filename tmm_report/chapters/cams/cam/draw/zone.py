@@ -31,6 +31,7 @@ from tmm_report.figures.primitives import Arrow
 from tmm_report.mechanics.cams.follower_laws import FULL_TURN
 from tmm_report.mechanics.cams.sizes.least_size import Place, Zone
 
+ROOM = (140.0, 95.0)  # mm: what the diagram may fill
 BELOW = 1.25  # of the lowest place of the axis: how far the zone is drawn
 FINE = 241
 TANGENT = Pen(0.22, "blue")
@@ -38,7 +39,7 @@ TANGENT = Pen(0.22, "blue")
 
 def scale(found: CamFound, zone: Zone) -> float:
     """At which the diagram fits a page, m/mm."""
-    return finest(found.lift + BELOW * _lowest(found, zone), partial(_items, found, zone))
+    return finest(found.lift + BELOW * _lowest(found, zone), partial(_items, found, zone), ROOM)
 
 
 def drawing(found: CamFound, zone: Zone, mu: float) -> Drawing:

@@ -11,6 +11,7 @@ from tmm_report.chapters.cams.cam.quantities.names import (
     displacement,
     first,
     letter,
+    lowest_sign,
     named,
     pressure,
     second,
@@ -64,6 +65,7 @@ def values(found: Cams) -> Iterator[Value]:
 __all__ = [
     "ANGLE", "ASKED_BEND", "BEGINS", "BEND", "BETA", "FORMS", "KINDS", "MOTION_OF", "NEXT", "RATIO", "REACHED", "SHARE",
     "SHOCKS", "SLOPE", "START", "WIDTH", "WITHIN", "acceleration", "asked_S", "asked_slope", "base", "cad_outlines",
-    "demands", "displacement", "first", "law_word", "letter", "lift", "named", "pressure", "second", "tables", "values",
+    "demands", "displacement", "first", "law_word", "letter", "lift",
+    "lowest_sign", "named", "pressure", "second", "tables", "values",
     "velocity",
 ]  # fmt: skip

@@ -76,3 +76,8 @@ def pressure(found: CamFound) -> Quantity:
         "deg",
         N_("pressure angle between cam %(cam)s and follower %(follower)s"),
     )
+
+
+def lowest_sign(found: CamFound) -> Symbol:
+    """Letter of the lowest position of the follower."""
+    return Symbol(letter(found), ",".join(filter(None, ("0", found.cam.name))))
