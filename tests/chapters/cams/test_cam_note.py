@@ -12,7 +12,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "page"))
 from note import read, text_of
 
-from tmm_report import course, render
+from tmm_report import course, loading, render
 from tmm_report.chapters.title.given import Note
 from tmm_report.report.paper.layout import Column, joined, runs
 
@@ -33,7 +33,7 @@ FORCES = "speed: 150 rpm, mass: 1.6 kg, load: {rise: 320 N}, spring: {ratio: 0.4
 @cache
 def solved(name: str, more: str = "") -> course.Results:
     cam = ", ".join(filter(None, (CAMS[name], more, "positions: 24", PHASES)))
-    return course.solve(course.loads(f"language: en\ncam: {{{cam}}}"))
+    return course.solve(loading.loads(f"language: en\ncam: {{{cam}}}"))
 
 
 @cache
