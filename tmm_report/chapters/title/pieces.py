@@ -85,5 +85,36 @@ PIECES: dict[str, Piece] = {
     ),
     "spur.quality": Piece(N_("quality of the mesh over the shifts")),
     "spur.phase": Piece(N_("the mesh with two pairs of teeth in contact"), course="appendix"),
-    "spur.inspection": Piece(N_("sizes by which the teeth are measured")),
+    "spur.inspection": Piece(N_("sizes by which the teeth are measured"), course="appendix"),
+    "spur.formulas": Piece(N_("formulas of the dimensions of the wheels of a pair")),
+    "spur.worked": Piece(N_("dimensions of the wheels of a pair, worked out in numbers"), course="omit"),
+    "spur.sliding": Piece(N_("graph of the specific sliding along the line of action"), course="appendix"),
+    "spur.details": Piece(N_("least shift, shift of the centres and time of two-pair contact of a pair")),
+    "spur.points": Piece(N_("specific sliding at the points of the line of action"), course="appendix"),
+    "spur.zones": Piece(N_("zones of contact of one and two pairs of teeth"), course="appendix"),
+    "spur.readings": Piece(N_("values read off the drawing of a mesh"), course="appendix"),
+    "drive.speeds": Piece(N_("angular velocities of a drive that are found as others are"), course="omit"),
+    "drive.diagrams": Piece(N_("how the diagrams of velocities of a drive are drawn")),
+    "drive.comparison": Piece(
+        N_("velocities by the diagrams of a drive against calculation"), course="appendix"
+    ),
+    "drive.meshes": Piece(N_("flow of the power through the meshes of a drive"), course="appendix"),
+    "train.solutions": Piece(N_("solutions for the teeth of a train beyond the best few"), course="appendix"),
+    "train.speeds": Piece(N_("angular velocities of a train that are found as others are"), course="omit"),
+    "train.diagrams": Piece(N_("how the diagrams of velocities of a train are drawn")),
+    "train.flow": Piece(
+        N_("torques and powers that the meshes of a train give its members, and their forces"),
+        course="appendix",
+    ),
+    "planetary.search": Piece(N_("search for the numbers of teeth of a planetary stage")),
+    "planetary.worked": Piece(N_("undercut and interference of a planetary stage, worked out")),
+    "planetary.solutions": Piece(
+        N_("solutions for the teeth of a stage beyond the best few"), course="appendix"
+    ),
+    "planetary.ring": Piece(N_("interference with a ring in numbers of teeth"), course="omit"),
+    "planetary.front": Piece(N_("a planetary stage drawn from the front"), course="appendix"),
+    "planetary.motions": Piece(
+        N_("motions of a planetary stage with each of its members held, and the load of a satellite"),
+        course="appendix",
+    ),
 }

@@ -9,7 +9,7 @@ from typing import Any, assert_never
 
 from markupsafe import Markup
 
-from tmm_report.chapters.gears.drive.draw.diagrams import kinematic_scheme, velocities
+from tmm_report.chapters.gears.drive.draw.diagrams import beside, kinematic_scheme, velocities
 from tmm_report.chapters.gears.drive.power.view import PowerView
 from tmm_report.chapters.gears.drive.quantities import tables
 from tmm_report.chapters.gears.drive.solve import Found
@@ -23,6 +23,7 @@ from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
 from tmm_report.quantity import model as quantity
+from tmm_report.quantity.definition import parted
 from tmm_report.quantity.formula import Formula
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
@@ -91,9 +92,11 @@ class DriveView(ChapterView):
     def input_speed(self) -> Formula:
         return self.members[self.found.input].formula("omega")
 
-    def speeds(self) -> list[Formula]:
-        """Of all the stages in their order."""
-        return [self.members[name].formula("omega") for names in self.whole.turned for name in names]
+    @cached_property
+    def speeds(self) -> tuple[list[Formula], list[Formula]]:
+        """Of all the stages in their order: the first of each kind, and the others."""
+        names = (name for names in self.whole.turned for name in names)
+        return parted((self.members[name].formula("omega") for name in names), self.page.tr)
 
     # ------------------------------------------------------------ what is given
 
@@ -132,10 +135,11 @@ class DriveView(ChapterView):
         """The rotational speed of a member."""
         return self.page.shown(self.members[name]["n"])
 
-    @property
-    def second(self) -> list[str]:
-        """Second inputs of differentials."""
-        return [stage.second[0] for stage in self.found.stages if stage.second]
+    def second_inputs(self) -> Markup:
+        """What is said of the second inputs of differentials."""
+        text = N_("Member %(name)s is the second input of a differential; it makes %(n)s rpm.")
+        names = [stage.second[0] for stage in self.found.stages if stage.second]
+        return self.page.listed((self.t(text, name=name, n=self.rpm(name)) for name in names), " ")
 
     @property
     def carried(self) -> Markup | None:
@@ -270,6 +274,16 @@ class DriveView(ChapterView):
     # ------------------------------------------------------------ pictures
 
     @cached_property
+    def beside(self) -> bool:
+        """Whether the scheme stands beside the diagrams."""
+        return beside(self.found.stages, self.found.plans, self.found.speed)
+
+    @property
+    def drawn(self) -> str:
+        """The label of the figure of the diagrams."""
+        return "fig:drive" if self.beside else "fig:drive:plans"
+
+    @cached_property
     def scheme(self) -> Drawing:
         found = self.found
         return kinematic_scheme(found.stages, found.plans, found.speed, str(self.t(SCHEME)))
@@ -278,6 +292,17 @@ class DriveView(ChapterView):
     def diagrams(self) -> Drawing:
         found, title = self.found, str(self.t("Diagrams of linear and angular velocities"))
         return velocities(found.stages, found.plans, found.speed, title)
+
+    def of_diagrams(self) -> Markup:
+        """What they are called below them."""
+        text = N_("Diagrams of linear and angular velocities: %(length)s, %(velocity)s, %(angular)s")
+        if self.beside:
+            text = N_(
+                "Kinematic scheme of the drive, diagrams of linear and angular velocities: %(length)s, %(velocity)s, "
+                "%(angular)s"
+            )
+        scales = {"length": "mu_l", "velocity": "mu_v", "angular": "mu_omega"}
+        return self.t(text, **{name: self.sized(key) for name, key in scales.items()})
 
     def conclusions(self) -> list[Markup]:
         """What failed, first; then what was found."""

@@ -31,7 +31,7 @@ def velocities(stages: Sequence[Stage], plans: Plans, speed: Mapping[str, float]
     sketch = scheme(stages, plans, speed)
     left, bottom, right, top = Drawing(tuple(sketch.items)).box
     zero = right + GAP - min(0.0, *plans.velocity.values())
-    if zero + max(0.0, *plans.velocity.values()) > PAGE:  # the scheme stands in a figure of its own
+    if not beside(stages, plans, speed):
         sketch, zero = Sketch(plans, speed), left - min(0.0, *plans.velocity.values())
         heights = [y / plans.length_scale for y in (*plans.axes.values(), *(spot.y for spot in plans.spots))]
         bottom, top = min(heights) - AXIS_ARROW, max(heights) + AXIS_ARROW
@@ -41,6 +41,12 @@ def velocities(stages: Sequence[Stage], plans: Plans, speed: Mapping[str, float]
     segments = [line_.s for line_ in plans.lines]
     angular = _Angular(plans, complex(left + 2 - min(0.0, *segments), bottom - GAP))
     return Drawing((*items, *angular.items()), title).labelled([*tags, *angular.tags()])
+
+
+def beside(stages: Sequence[Stage], plans: Plans, speed: Mapping[str, float]) -> bool:
+    """Whether the scheme stands beside the diagrams, or is so wide that it has a figure of its own."""
+    right, speeds = Drawing(tuple(scheme(stages, plans, speed).items)).box[2], plans.velocity.values()
+    return right + GAP - min(0.0, *speeds) + max(0.0, *speeds) <= PAGE
 
 
 def _names(line_: Line) -> Parts:

@@ -22,7 +22,9 @@ from tmm_report.chapters.gears.planetary.view.tables import PlanetaryTables
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.gears.planetary.stage import EXTERNAL
 from tmm_report.problems import N_
+from tmm_report.quantity.definition import Definition, in_letters
 from tmm_report.quantity.formula import Formula
+from tmm_report.quantity.terms.wheel_words import of_wheel
 from tmm_report.report.page import Page
 from tmm_report.report.part import Failed, Part
 
@@ -136,9 +138,15 @@ class PlanetaryView(PlanetaryTables):
         rows, keys = [self.meshes[row] for row in self.found.opened], ("a", "alpha_w", "x_sum")
         return [mesh.formula(key) for mesh in rows for key in keys if mesh.has_formula(key)]
 
-    def working(self) -> list[Formula]:
-        """Working diameters of wheels without shift."""
-        return [row.formula("d_w") for row in self.stage.rows]
+    def working(self) -> Definition:
+        """Working diameters of wheels without shift, of which the table has the numbers."""
+        row, wheel = self.stage.rows[0], self.wheels[self.scheme.wheels[0]]
+        called = {
+            of_wheel(sign, wheel): of_wheel(sign, "i")
+            for key in ("d_w", "z")
+            if (sign := row.declared(key).symbol)
+        }
+        return in_letters(row.formula("d_w"), called)
 
     def coaxiality(self) -> Relation:
         return coaxiality(self.stage)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import Any, assert_never
 
@@ -28,7 +28,7 @@ from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Table, Words, padded, worded
 
-SHOWN = 10  # solutions in the table, besides the chosen one
+BEST, SHOWN = 3, 10  # solutions in the text and in all, besides the chosen one
 PLACES = {
     "ratio": 2,
     "undercut": 2,
@@ -67,19 +67,15 @@ class PlanetaryTables(ChapterView):
         }
         return {name: self.number(key) for name, key in keys.items()}
 
-    def rejected(self, caption: Any) -> Table:
+    def reasons(self) -> Markup:
         """How many candidates were rejected, by the first condition that fails."""
         table = self.table("rejected")
-        rows: list[list[Any]] = [
-            [
-                self._word(REASONS[Reason[name.upper()]], table, "reason", row),
-                self._count(table, "combinations", row),
-            ]
-            for row, name in enumerate(table["reason"].values)
-        ]
-        total = self.value("combinations")
-        rows.append([self.t("in all"), Cell(str(int(total.value)), total.ref())])
-        return worded(caption, [self.t("Reason"), self.t("Combinations")], rows, (4, 1))
+        said = []
+        for row, name in enumerate(table["reason"].values):
+            reason = self.page.tr.gettext(REASONS[Reason[name.upper()]])
+            cells = Cell(reason, table.ref("reason", row)), self._count(table, "combinations", row)
+            said.append(self.page.listed(map(self.page.said, cells), " \N{EN DASH} "))
+        return self.page.listed(said, "; ")
 
     def _word(self, message: str, table: quantity.Table, key: str, row: int) -> Cell | Words:
         return self.page.word(self.page.tr.gettext(message), table, key, row)
@@ -88,14 +84,20 @@ class PlanetaryTables(ChapterView):
         """A whole number of a table, with all its digits."""
         return Cell(str(int(table[key].values[row])), table.ref(key, row))
 
-    @cached_property
-    def places(self) -> list[int]:
-        """Places in the ranking that the table of solutions shows: the first, and the chosen one."""
-        best = list(range(min(SHOWN, len(self.found.ranking))))
+    @property
+    def best(self) -> list[int]:
+        """Places in the ranking of the best few, and of the chosen one."""
+        best = list(range(min(BEST, len(self.found.ranking))))
         chosen = self.found.chosen
         return best if chosen is None or chosen in best else [*best, chosen]
 
-    def solutions(self, caption: Any) -> Table:
+    @property
+    def others(self) -> list[int]:
+        """Places of those behind them that the table of further solutions shows."""
+        shown = range(min(SHOWN, len(self.found.ranking)))
+        return [place for place in shown if place not in self.best]
+
+    def solutions(self, caption: Any, places: Sequence[int]) -> Table:
         """The best of the solutions, the chosen one marked."""
         table, page = self.table("solutions"), self.page
         teeth = [key for key in ("z1", "z2", "z2'", "z3") if key in table]
@@ -107,7 +109,7 @@ class PlanetaryTables(ChapterView):
                 page.cell(table, "D", place, "mm"),
                 page.listed(self._remarks(place)),
             ]
-            for place in self.places
+            for place in places
         ]
         heads = [
             self.t("No."),

@@ -13,6 +13,7 @@ from tmm_report.chapters.gears.spur.quantities import tables
 from tmm_report.chapters.gears.spur.solve.conditions import BY_ASSEMBLY
 from tmm_report.chapters.gears.spur.solve.pair import Found
 from tmm_report.chapters.gears.spur.steps import stage
+from tmm_report.chapters.gears.spur.values import Wheel
 from tmm_report.chapters.gears.spur.view.backlash import BacklashView
 from tmm_report.chapters.gears.spur.view.cutter import CutterView
 from tmm_report.chapters.gears.spur.view.inspection import InspectionView
@@ -30,15 +31,23 @@ from tmm_report.chapters.gears.spur.words import (
 )
 from tmm_report.mechanics.gears.limits.condition import Condition
 from tmm_report.problems import N_, Message
+from tmm_report.quantity.definition import Definition, in_letters, of_all, parted
 from tmm_report.quantity.formula import Formula, Inline
 from tmm_report.quantity.model import Column, Value
-from tmm_report.quantity.symbols import math_symbol
-from tmm_report.quantity.terms.wheel_words import DIAMETERS, TEETH, of_wheel
+from tmm_report.quantity.symbols import Symbol, math_symbol
+from tmm_report.quantity.terms.wheel_words import DIAMETERS, of_wheel
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Cell, Table, Words, padded, worded
+from tmm_report.report.paper.layout import DASH, Cell, Table, padded, worded
 from tmm_report.report.part import Failed, Part
 
+SIZES = ("z", "x", "x_min", *DIAMETERS, "height", "s", "alpha_a", "s_b", "s_w", "s_a")
+OF_BOTH = (
+    "d", "d_b", "d_w", "d_f", "d_a", "s", "alpha_a", "s_b", "s_w", "s_a",
+    "rho_a", "rho_m", "rho_p", "root_sliding", "tip_sliding",
+)  # fmt: skip
+ENDS = ("rho_a", "rho_m", "rho_p", "rho_u", "root_sliding", "tip_sliding")
+NOT_OF_RINGS = ("x_min", "s_b")
 LEAST, MOST = "≥\N{NO-BREAK SPACE}", "≤\N{NO-BREAK SPACE}"  # before a limit, on one line with it
 
 
@@ -67,9 +76,10 @@ class SpurView(ChapterView):
         """Those of a wheel that it has."""
         return [self.wheels[i].formula(key) for key in keys if self.wheels[i].has_formula(key)]
 
-    def dimensions(self, i: int) -> list[Formula]:
-        """Diameters and thicknesses of one wheel, in the order of computing."""
-        return self.of_wheel(i, "d", "d_b", "d_w", "d_f", "d_a", "s", "alpha_a", "s_b", "s_w", "s_a")
+    def worked(self) -> list[Formula]:
+        """Those of `letters` in numbers: of both wheels, or the first of each kind."""
+        every = self.of_both(*OF_BOTH)
+        return every if self.page.note.whole else parted(every, self.page.tr)[0]
 
     def of_both(self, *keys: str) -> list[Formula]:
         return [formula for key in keys for i in (0, 1) for formula in self.of_wheel(i, key)]
@@ -136,71 +146,77 @@ class SpurView(ChapterView):
 
     # ------------------------------------------------------------ tables
 
-    def shifts_table(self, caption: Any) -> Table:
-        """The least shifts by the course's rule and exactly, beside those taken."""
-        rows = [
-            [
-                self._wheel(i),
-                self.page.cell(self.sizes, "z", i),
-                *("—" if self.stage.ring(i) else self._shift(key, i) for key in ("x_rule", "x_min")),
-                self._shift("x", i),
-            ]
-            for i in (0, 1)
-        ]
-        least = [self.page.message(self.sizes[key].meaning) for key in ("x_rule", "x_min")]
-        heads = [self.t("Wheel"), self.page.sym("z"), *least, self.t("shift taken")]
-        return worded(caption, heads, rows, (1, 1, 2, 2, 2))
-
-    def _wheel(self, i: int) -> Cell | Words:
-        return self.page.word(self.names[i], self.sizes, "wheel", i)
-
     def _shift(self, key: str, i: int) -> Cell:
         return self.page.cell(self.sizes, key, i, places=4)
 
-    def dimensions_table(self, caption: Any) -> Table:
-        """Dimensions of both wheels; each row is a column of the results."""
-        columns = [self.sizes[key] for key in DIAMETERS | TEETH]
+    def wheels_table(self, caption: Any) -> Table:
+        """Numbers of both wheels; each row is a column of the results."""
         rows = [
             [
-                self.page.message(column.meaning),
-                self.page.head(column.symbol(), column.quantity.printed),
-                *padded([self._size(column.key, i) for i in (0, 1)]),
+                self._called(key),
+                self.page.sym(self._indexed(key, "i")),
+                *padded([self._size(key, i) for i in (0, 1)]),
             ]
-            for column in columns
+            for key in (*SIZES, *ENDS)
+            if any(key in wheel for wheel in self.wheels)
         ]
         wheels = [self.t("wheel %(name)s", name=name) for name in self.names]
-        return worded(caption, [self.t("Dimension"), self.t("Symbol"), *wheels], rows, (4, 2, 2, 2))
+        return worded(caption, [self.t("Dimension"), self.t("Symbol"), *wheels], rows, (6, 1.5, 2, 2))
+
+    def _called(self, key: str) -> Markup:
+        """What a row is, with its unit."""
+        column = self.sizes[key]
+        self.page.symbols.add(self._indexed(key, "i"), column.meaning, column.quantity.shown)
+        unit = column.quantity.printed
+        return self.page.listed(
+            [self.page.message(column.meaning), *([self.page.unit(unit)] if unit else [])]
+        )
+
+    def letters(self) -> list[Definition]:
+        """The formulas of the numbers of wheel i, k being the other; of unlike wheels those of each."""
+        return [one for key in OF_BOTH for one in self._letters(key)]
+
+    def _letters(self, key: str) -> list[Definition]:
+        has = [i for i in (0, 1) if self.wheels[i].has_formula(key)]
+        if len(has) < 2:
+            return [in_letters(self.wheels[i].formula(key), {}) for i in has]
+        return of_all([(self.wheels[i].formula(key), self._names_of_both(i)) for i in has], self.page.tr)
+
+    def _names_of_both(self, i: int) -> dict[Symbol, Symbol]:
+        return {
+            of_wheel(declared, self.names[wheel]): of_wheel(declared, index)
+            for wheel, index in ((i, "i"), (1 - i, "k"))
+            for key in Wheel.DECLARED
+            if (declared := Wheel.DECLARED[key].symbol)
+        }
+
+    def _indexed(self, key: str, index: str) -> Symbol:
+        return of_wheel(self.sizes[key].quantity.symbol or math_symbol(key), index)
 
     def _size(self, key: str, i: int) -> Cell | str:
-        """A ring has no thickness on its base circle, which lies within its teeth."""
-        return "—" if key == "s_b" and self.stage.ring(i) else self.page.cell(self.sizes, key, i)
+        """A ring has no thickness on its base circle, which lies within its teeth, and no undercut."""
+        if key not in self.wheels[i] or (key in NOT_OF_RINGS and self.stage.ring(i)):
+            return DASH
+        return self._shift(key, i) if key.startswith("x") else self.page.cell(self.sizes, key, i)
 
     def conditions(self, caption: Any) -> Table:
         """Every condition with its value, limit and what is in hand."""
         rows = [
             [
                 self.page.word(self._name(c), self.judged, "condition", row),
-                self._quantity(row, c),
-                self._measured("value", row, c),
-                self.page.listed(
-                    [LEAST if c.least else MOST, self.page.said(self._measured("limit", row, c))], ""
-                ),
-                self._measured("margin", row, c),
+                self._found_value(row, c),
+                self.page.listed([LEAST if c.least else MOST, self._with_unit("limit", row, c)], ""),
+                self._with_unit("margin", row, c),
                 self.page.word(self._verdict(c), self.judged, "met", row),
             ]
             for row, c in enumerate(self.found.conditions)
         ]
         t = self.t
-        heads = [t("Condition"), t("Quantity"), t("Value"), t("Limit"), t("In hand"), t("Verdict")]
-        return worded(caption, heads, rows, (4, 1.5, 1.5, 4.5, 2, 2.4))
+        heads = [t("Condition"), t("Value"), t("Limit"), t("In hand"), t("Verdict")]
+        return worded(caption, heads, rows, (8, 3.6, 1.8, 1.5, 1.2))
 
-    def _name(self, c: Condition) -> str | Markup:
-        name = Message(CONDITIONS[c.key], {"wheel": c.wheel}).render(self.page.tr.gettext)
-        if c.key == "sliding" and self.moving and not self.moving.stated:
-            return self.t(
-                "%(name)s at %(speed)s", name=name, speed=self.page.value(self.value("v_pitch").var(digits=4))
-            )
-        return name
+    def _name(self, c: Condition) -> str:
+        return Message(CONDITIONS[c.key], {"wheel": c.wheel}).render(self.page.tr.gettext)
 
     def _verdict(self, c: Condition) -> str:
         if c.key in BY_ASSEMBLY and not c.met:
@@ -208,11 +224,17 @@ class SpurView(ChapterView):
         by_rule = N_("met by the rule only") if self.found.met_by_rule(c) else N_("not met")
         return self.page.tr.gettext(N_("met") if c.met else by_rule)
 
-    def _quantity(self, row: int, c: Condition) -> Markup:
+    def _found_value(self, row: int, c: Condition) -> Markup:
+        """Letter, value, unit."""
         name = self.page.sym(self.judged["value"].symbol(row))
         if c.key == "sliding":
             name = self.page.listed(["|", name, "|"], "")
-        return self.page.listed([name, self.page.unit(c.unit)]) if c.unit else name
+        equals = "\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}"
+        return self.page.listed([name, self._with_unit("value", row, c)], equals)
+
+    def _with_unit(self, key: str, row: int, c: Condition) -> Markup:
+        unit = {"deg": "°", "": ""}.get(c.unit, f"\N{NO-BREAK SPACE}{self.page.unit(c.unit)}")
+        return self.page.listed([self.page.said(self._measured(key, row, c)), unit], "")
 
     def _measured(self, key: str, row: int, c: Condition, size: bool = False) -> Cell:
         """A number in the unit of the condition: mm, degrees or none."""

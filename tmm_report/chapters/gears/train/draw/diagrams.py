@@ -22,8 +22,7 @@ def diagrams(found: Found, title: str) -> Drawing | None:
     items, tags = Scheme(found).parts()
     left, bottom, right, _ = Drawing(tuple(items)).box
     speeds = [spot.v / plans.velocity for spot in plans.spots]
-    wide = max(0.0, *speeds) - min(0.0, *speeds)
-    if right - left + GAP + wide > PAGE:  # the scheme stands in a figure of its own
+    if not beside(found):
         items, tags, right, bottom = [], [], left - GAP, 0.0
     zero = right + GAP - min(0.0, *speeds)
     linear = _Linear(found, plans, zero)
@@ -34,6 +33,15 @@ def diagrams(found: Found, title: str) -> Drawing | None:
     guides = linear.guides(left) if items else []
     whole = (*guides, *items, *linear.items(), *more)
     return Drawing(whole, title).labelled([*tags, *linear.tags(), *named])
+
+
+def beside(found: Found) -> bool:
+    """Whether the scheme stands beside the diagrams, or is so wide that it has a figure of its own."""
+    if found.plans is None:
+        return False
+    left, _, right, _ = Drawing(tuple(Scheme(found).parts()[0])).box
+    speeds = [spot.v / found.plans.velocity for spot in found.plans.spots]
+    return right - left + GAP + max(0.0, *speeds) - min(0.0, *speeds) <= PAGE
 
 
 def _names(found: Found, body: str) -> Parts:

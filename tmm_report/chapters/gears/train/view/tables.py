@@ -20,7 +20,7 @@ from tmm_report.report.page import Page
 from tmm_report.report.paper import layout
 from tmm_report.report.paper.layout import Cell, worded
 
-SHOWN = 10  # solutions of the search
+BEST, SHOWN = 3, 10  # solutions of the search: in the text and in all
 REASONS = {
     Reason.ACCEPTED: N_("all conditions are met"),
     Reason.COAXIALITY: N_("coaxiality, or teeth out of range"),
@@ -29,6 +29,11 @@ REASONS = {
     Reason.ASSEMBLY: N_("the satellites cannot be put in"),
     Reason.NEIGHBOURHOOD: N_("neighbouring satellites touch"),
 }
+
+
+def _dashed(pair: str) -> str:
+    """Two members: 1\N{EN DASH}2."""
+    return pair.replace("-", "\N{EN DASH}")
 
 
 class TrainTables(ChapterView):
@@ -60,21 +65,26 @@ class TrainTables(ChapterView):
         """Whether a load is stated."""
         return any(getattr(self.found.given, key) is not None for key in LOADS)
 
-    def rejected(self) -> layout.Table:
-        table = self.table("rejected")
-        rows: list[list[Any]] = [
-            [
-                self.page.word(self.t(REASONS[Reason[name.upper()]]), table, "reason", row),
-                Cell(str(int(table["count"].values[row])), table.ref("count", row)),
-            ]
-            for row, name in enumerate(table["reason"].values)
-        ]
-        total = self.value("combinations")
-        rows.append([self.t("in all"), Cell(str(int(total.value)), total.ref())])
-        caption = self.t("Sets of teeth by the first condition that fails")
-        return worded(caption, [self.t("Condition"), self.t("Sets")], rows, (4, 1))
+    def reasons(self) -> Markup:
+        """How many sets of teeth fail by each condition."""
+        table, said = self.table("rejected"), []
+        for row, name in enumerate(table["reason"].values):
+            count = Cell(str(int(table["count"].values[row])), table.ref("count", row))
+            reason = Cell(self.page.tr.gettext(REASONS[Reason[name.upper()]]), table.ref("reason", row))
+            said.append(self.page.listed(map(self.page.said, (reason, count)), " \N{EN DASH} "))
+        return self.page.listed(said, "; ")
 
-    def solutions(self) -> layout.Table:
+    @property
+    def best(self) -> range:
+        """Rows of the best few sets of teeth."""
+        return range(min(BEST, len(self.table("solutions"))))
+
+    @property
+    def others(self) -> range:
+        """Of those that come next."""
+        return range(len(self.best), min(SHOWN, len(self.table("solutions"))))
+
+    def solutions(self, shown: range) -> layout.Table:
         table, page = self.table("solutions"), self.page
         whole_ = [c.key for c in table.columns if c.key == "place" or c.key.startswith("z_") or c.key == "k"]
         rows = [
@@ -85,7 +95,7 @@ class TrainTables(ChapterView):
                 *([page.cell(table, "eta", row, digits=3)] if "eta" in table else []),
                 page.cell(table, "D", row, digits=4),
             ]
-            for row in range(min(SHOWN, len(table)))
+            for row in shown
         ]
         heads = [self.t("No."), *(page.head(table[key].symbol()) for key in whole_[1:])]
         heads += [
@@ -94,18 +104,22 @@ class TrainTables(ChapterView):
             *([page.head(table["eta"].symbol())] if "eta" in table else []),
             page.head(table["D"].symbol()),
         ]
-        caption = self.t(
+        text = N_(
             "The best sets of teeth; D is the diameter that the train fills, in modules of the first wheel"
         )
-        return worded(caption, heads, rows, [1] * len(heads))
+        if shown.start:
+            text = N_(
+                "Further sets of teeth; D is the diameter that the train fills, in modules of the first wheel"
+            )
+        return worded(self.t(text), heads, rows, [1] * len(heads))
 
     def distances(self) -> layout.Table:
         table, page = self.table("distances"), self.page
         rows = [
             [
-                page.word(table["mesh"].values[row], table, "mesh", row),
+                page.word(_dashed(table["mesh"].values[row]), table, "mesh", row),
                 page.cell(table, "a", row),
-                page.word(table["other"].values[row], table, "other", row),
+                page.word(_dashed(table["other"].values[row]), table, "other", row),
                 page.cell(table, "a_other", row),
                 page.cell(table, "gap", row, digits=4),
             ]
@@ -125,7 +139,7 @@ class TrainTables(ChapterView):
         table, page = self.table("assembly"), self.page
         rows = [
             [
-                page.word(table["row"].values[row], table, "row", row),
+                page.word(_dashed(table["row"].values[row]), table, "row", row),
                 Cell(str(int(table["k"].values[row])), table.ref("k", row)),
                 page.cell(table, "C", row),
                 self.t("whole") if one.met else self.t("not whole"),

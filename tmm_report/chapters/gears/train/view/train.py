@@ -9,7 +9,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from tmm_report.chapters.gears.train.draw.diagrams import diagrams
+from tmm_report.chapters.gears.train.draw.diagrams import beside, diagrams
 from tmm_report.chapters.gears.train.draw.scheme import scheme
 from tmm_report.chapters.gears.train.solve.mistakes import known_names
 from tmm_report.chapters.gears.train.solve.train import Found
@@ -17,7 +17,7 @@ from tmm_report.chapters.gears.train.view.tables import TrainTables
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.gears.compound.rows import Row, row_ratio
 from tmm_report.problems import N_
-from tmm_report.quantity.definition import Definition
+from tmm_report.quantity.definition import Definition, parted
 from tmm_report.quantity.formula import PI, Expr, Formula, Var, sin
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.page import Page
@@ -144,14 +144,13 @@ class TrainView(TrainTables):
         found = [ratio.formula("u", digits=7) for ratio in self.made.ratios.values()]
         return [*found, *([self.formula("u", digits=7)] if self.s.has_formula("u") else [])]
 
-    def speeds(self) -> list[Formula]:
-        """In the order in which they are found."""
-        return [
-            self.made.members[name].formula(
-                "omega" if self.made.members[name].has_formula("omega") else "omega_rel"
-            )
-            for name in self.made.order
-        ]
+    @cached_property
+    def speeds(self) -> tuple[list[Formula], list[Formula]]:
+        """In the order in which they are found: the first of each kind, and the others."""
+        members = (self.made.members[name] for name in self.made.order)
+        keys = ("omega", "omega_rel")
+        found = (next(m.formula(key) for key in keys if m.has_formula(key)) for m in members)
+        return parted(found, self.page.tr)
 
     @property
     def tilted(self) -> list[str]:
@@ -204,6 +203,24 @@ class TrainView(TrainTables):
     @cached_property
     def diagrams(self) -> Drawing | None:
         return diagrams(self.found, str(self.t("Diagrams of linear and angular velocities of the train")))
+
+    @cached_property
+    def beside(self) -> bool:
+        """Whether the scheme stands beside the diagrams."""
+        return beside(self.found)
+
+    def of_diagrams(self) -> Markup:
+        """What they are called below them."""
+        text = N_(
+            "Diagrams of linear and angular velocities of the train: %(length)s, %(velocity)s, %(angular)s"
+        )
+        if self.beside:
+            text = N_(
+                "Kinematic scheme of the gear train, diagrams of linear and angular velocities: %(length)s, "
+                "%(velocity)s, %(angular)s"
+            )
+        scales = {"length": "mu_l", "velocity": "mu_v", "angular": "mu_omega"}
+        return self.t(text, **{name: self.sized(key) for name, key in scales.items()})
 
     # ------------------------------------------------------------ conclusions
 
