@@ -123,3 +123,46 @@ FAULTS = tuple(
                                                      ' velocity of the wheel'),
     )
 )  # fmt: skip
+
+FAULTS += (
+    Fault(
+        "letters: those of the mate named as the wheel's own",
+        "tmm_report/chapters/gears/spur/view/pair.py",
+        'for wheel, index in ((i, "i"), (1 - i, "k"))',
+        'for wheel, index in ((i, "i"), (1 - i, "i"))',
+        "compressor",
+        ("tests/chapters/gears/spur/test_letters.py",),
+    ),
+    Fault(
+        "letters: a formula that one wheel has told of both",
+        "tmm_report/chapters/gears/spur/view/pair.py",
+        "if len(has) < 2:",
+        "if len(has) < 1:",
+        "compressor",
+        ("tests/chapters/gears/spur/test_letters.py",),
+    ),
+    Fault(
+        "letters: unlike wheels have the formula of the first",
+        "tmm_report/quantity/definition.py",
+        "[*alike.values()] if len(alike) < 2 else",
+        "[*alike.values()][:1] if alike else",
+        "compressor",
+        ("tests/quantity/test_definition.py", "tests/chapters/gears/spur/test_letters.py"),
+    ),
+    Fault(
+        "letters: another's number told as a formula of its own kind",
+        "tmm_report/quantity/definition.py",
+        " or isinstance(formula.expression, Var):",
+        ":",
+        "compressor",
+        ("tests/quantity/test_definition.py",),
+    ),
+    Fault(
+        "planetary: the reasons without the first",
+        "tmm_report/chapters/gears/planetary/view/tables.py",
+        'return self.page.listed(said, "; ")',
+        'return self.page.listed(said[1:], "; ")',
+        "compressor",
+        ("tests/chapters/gears/test_planetary_stage.py",),
+    ),
+)
