@@ -8,8 +8,8 @@ import pytest
 from tmm_report import solve
 from tmm_report.chapters.gears.spur.values import Wheel
 from tmm_report.chapters.gears.spur.view.pair import SpurView
-from tmm_report.course import loads
 from tmm_report.i18n import Translator
+from tmm_report.loading import loads
 from tmm_report.quantity.formula import Expr, Var
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.formats import Html
