@@ -206,7 +206,7 @@ def test_the_conditions_are_printed_as_in_the_guide():
 def test_rejected_and_accepted_make_up_all(found):
     page = Page(Html(), Translator("en"), Numbering())
     reasons = PlanetaryView(found, page, "x").reasons()
-    counts = [int(count) for count in re.findall(r"\N{EN DASH} <span[^>]*>(\d+)</span>", reasons)]
+    counts = [int(count) for count in re.findall(r"\(<span[^>]*>(\d+)</span>\)", reasons)]
     assert sum(counts) == found.candidates.examined and len(counts) == reasons.count(";") + 1
 
 

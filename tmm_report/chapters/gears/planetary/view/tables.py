@@ -74,7 +74,11 @@ class PlanetaryTables(ChapterView):
         for row, name in enumerate(table["reason"].values):
             reason = self.page.tr.gettext(REASONS[Reason[name.upper()]])
             cells = Cell(reason, table.ref("reason", row)), self._count(table, "combinations", row)
-            said.append(self.page.listed(map(self.page.said, cells), " \N{EN DASH} "))
+            said.append(
+                self.t(
+                    "%(reason)s (%(count)s)", reason=self.page.said(cells[0]), count=self.page.said(cells[1])
+                )
+            )
         return self.page.listed(said, "; ")
 
     def _word(self, message: str, table: quantity.Table, key: str, row: int) -> Cell | Words:

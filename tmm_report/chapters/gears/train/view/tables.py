@@ -71,7 +71,9 @@ class TrainTables(ChapterView):
         for row, name in enumerate(table["reason"].values):
             count = Cell(str(int(table["count"].values[row])), table.ref("count", row))
             reason = Cell(self.page.tr.gettext(REASONS[Reason[name.upper()]]), table.ref("reason", row))
-            said.append(self.page.listed(map(self.page.said, (reason, count)), " \N{EN DASH} "))
+            said.append(
+                self.t("%(reason)s (%(count)s)", reason=self.page.said(reason), count=self.page.said(count))
+            )
         return self.page.listed(said, "; ")
 
     @property
