@@ -4,7 +4,8 @@
 
 Prints HTML notes of shipped variants by a headless Chromium (`chromium` on the PATH), reads the PDF with Poppler's
 `pdftotext` and `pdftoppm`. A chapter's pages are counted in parts, from its heading to the next one; `fill` is the
-share of the room between a page's margins down to the lowest ink, the last page of every chapter left out.
+share of the room between a page's margins down to the lowest ink, the last page of every chapter left out. Pages of the
+text and of the appendices are told apart: 82 + 23.
 """
 
 from __future__ import annotations
@@ -30,10 +31,12 @@ BELOW = 18.0  # mm from the lower edge: there stands the page's number
 
 
 class Chapter(NamedTuple):
-    """`pages`: in parts; `fill`: of each of its whole pages but the last, 0 … 1."""
+    """`start`, `end`: pages in parts; `fill`: of each of its whole pages but the last, 0 … 1."""
 
     title: str
-    pages: float
+    appendix: bool
+    start: float
+    end: float
     fill: list[float]
 
 
@@ -73,22 +76,23 @@ def chapters(
     html: bytes, words: list[list[tuple[float, float, str]]], filled: list[float]
 ) -> Iterator[Chapter]:
     """The chapters by their headings, as the contents lists them."""
-    titles = re.findall(r"<h1[^>]*>(.*?)</h1>", html.decode(), re.S)
-    titles = [re.sub(r"<[^>]*>", " ", title).strip() for title in titles]
+    found = re.findall(r"<h1([^>]*)>(.*?)</h1>", html.decode(), re.S)
+    titles = [re.sub(r"<[^>]*>", " ", title).strip() for _, title in found]
     starts, after = list[float](), float(len(words))
     for title in reversed(titles):  # from the end: the contents names them all before
         after = max((place for place in _places(words, title) if place <= after), default=after)
         starts.insert(0, after)
-    for title, start, end in zip(titles, starts, [*starts[1:], float(len(words))], strict=True):
+    ends = [*starts[1:], float(len(words))]
+    for (classes, _), title, start, end in zip(found, titles, starts, ends, strict=True):
         whole = filled[int(np.ceil(start)) : max(int(np.ceil(start)), int(np.ceil(end)) - 1)]
-        yield Chapter(title, end - start, whole)
+        yield Chapter(title, "appendix" in classes, start, end, whole)
 
 
 def _places(words: list[list[tuple[float, float, str]]], title: str) -> Iterator[float]:
     """Where a line of the text begins as a title does: page and share of it."""
-    parts = title.split()[:4]
+    parts = title.casefold().split()[:4]  # a profile may print it in capitals
     for page, own in enumerate(words):
-        texts = [word for *_, word in own]
+        texts = [word.casefold() for *_, word in own]
         for k in range(len(own) - len(parts) + 1):
             if texts[k : k + len(parts)] == parts and (k == 0 or own[k - 1][1] < own[k][1] - 1e-3):
                 yield page + own[k][1]
@@ -101,7 +105,7 @@ def main() -> None:
     parser.add_argument("--depth", choices=DEPTHS, default=None)
     parser.add_argument("--chapters", action="store_true", help="print the chapters too")
     options = parser.parse_args()
-    print(f"{'':<40}{'pages':>7}{'fill':>7}{'least':>7}{'MB':>7}")
+    print(f"{'':<40}{'pages':>8}{'fill':>7}{'least':>7}{'MB':>7}")
     for name in options.names:
         html = render(solve(load(VARIANTS / f"{name}.yaml")), "html", options.language, options.depth)[
             "note.html"
@@ -112,10 +116,12 @@ def main() -> None:
         found = list(chapters(html, words, filled))
         every = [one for chapter in found for one in chapter.fill]
         mean, least = (np.mean(every), min(every)) if every else (1.0, 1.0)
-        print(f"{name:<40}{len(words):7d}{mean:7.2f}{least:7.2f}{len(html) / 1e6:7.2f}")
+        text = min((int(one.start) for one in found if one.appendix), default=len(words))
+        apart = f"{text} + {len(words) - text}" if text < len(words) else str(text)
+        print(f"{name:<40}{apart:>8}{mean:7.2f}{least:7.2f}{len(html) / 1e6:7.2f}")
         for chapter in found if options.chapters else ():
             fill = f"{np.mean(chapter.fill):7.2f}{min(chapter.fill):7.2f}" if chapter.fill else ""
-            print(f"  {chapter.title[:36]:<38}{chapter.pages:7.1f}{fill}")
+            print(f"  {chapter.title[:36]:<38}{chapter.end - chapter.start:8.1f}{fill}")
 
 
 if __name__ == "__main__":
