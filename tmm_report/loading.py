@@ -12,6 +12,7 @@ from tmm_report import yamlread
 from tmm_report.course import BESIDE, LEVER, LeverGiven, Variant, gears_unsolvable, lever_unsolvable, room
 from tmm_report.languages import stated_in
 from tmm_report.problems import Problem, ProblemError
+from tmm_report.variant.department import Department, beside, read, under
 
 if TYPE_CHECKING:
     from tmm_report.chapters.find import solve as find
@@ -19,8 +20,9 @@ if TYPE_CHECKING:
 
 
 def load(path: str | os.PathLike[str]) -> Variant:
-    """Read a variant's file. Raises ProblemError with all the mistakes of the file."""
-    return loads(*stated(path))
+    """Read a variant's file, over what stands in its department's beside it. Raises ProblemError with all the mistakes
+    of the file."""
+    return loads(*stated(path), beside(path))
 
 
 def stated(path: str | os.PathLike[str]) -> tuple[bytes, str]:
@@ -29,13 +31,31 @@ def stated(path: str | os.PathLike[str]) -> tuple[bytes, str]:
     return yamlread.opened(path, file, yamlread.BYTES), file
 
 
-def loads(text: str | bytes, file: str = "") -> Variant:
-    """The variant that a text states; `file` is its name for messages. Raises ProblemError."""
+def loads(text: str | bytes, file: str = "", department: Department | None = None) -> Variant:
+    """The variant that a text states, over what its department does; `file` is its name for messages. Raises
+    ProblemError."""
     soft: list[Problem] = []
     try:
-        return _variant(yamlread.loads(text, file, soft), file, soft)
+        document = yamlread.loads(text, file, soft)
+        if department is not None:
+            document = under(document, _sound(department), department.file)
+        return _variant(document, file, soft)
     except ProblemError as error:
-        raise ProblemError(error.problems, stated_in(text)) from None
+        language = stated_in(text) or stated_in(department.text if department else "")
+        raise ProblemError(error.problems, language) from None
+
+
+def _sound(department: Department) -> yamlread.Document:
+    """A department's file, whose keys are right in themselves. Raises ProblemError with its mistakes."""
+    from tmm_report.variant.model import Rooms
+    from tmm_report.variant.reading import read as read_blocks
+
+    document = read(department)
+    rooms = Rooms(
+        [room("title", "block"), room("plans", "block")], {"profile": partial(room, "profile", "block")}
+    )
+    read_blocks(document, department.file, [], rooms, lambda found: ())
+    return document
 
 
 def schema() -> dict[str, Any]:
@@ -56,9 +76,9 @@ def _rooms() -> Rooms:
 
 def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Variant:
     from tmm_report.chapters.lever.structure.block import stated
-    from tmm_report.variant.reading import read
+    from tmm_report.variant.reading import read as read_blocks
 
-    found = read(document, file, soft, _rooms(), _further)
+    found = read_blocks(document, file, soft, _rooms(), _further)
     if "drive" in found.data and stated(found):
         found = _geared(found, document, file)
     made = Variant(

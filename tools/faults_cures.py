@@ -140,7 +140,7 @@ FAULTS = (
     Fault(
         "mistakes of a file told in the system's language",
         "tmm_report/loading.py",
-        "raise ProblemError(error.problems, stated_in(text)) from None",
+        "raise ProblemError(error.problems, language) from None",
         "raise ProblemError(error.problems) from None",
         tests=("tests/variant/test_layers_of_mistakes.py",),
     ),

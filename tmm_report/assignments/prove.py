@@ -16,6 +16,7 @@ from tmm_report.quantity.model import Value
 from tmm_report.quantity.units import WrongValue, between
 from tmm_report.records import dataclass
 from tmm_report.results import values
+from tmm_report.variant.department import Department, beside
 from tmm_report.variant.errors import near
 
 CLOSENESS = 0.1  # of a group to a singular position, where the ranges state none
@@ -48,6 +49,7 @@ class Proof:
     limits: tuple[Limits, ...]
     closeness: float
     whole: bool
+    department: Department | None = None  # whose file stands beside the template
 
     def rejects(self, cells: Mapping[str, Cell], person: Mapping[str, str]) -> Rejection | None:
         """Why a variant cannot be set; None of one that can."""
@@ -58,7 +60,9 @@ class Proof:
                 )
                 return Rejection(one.text, why)
         try:
-            variant = loading.loads(self.form.text(self.ranges.parameters, cells, person))
+            variant = loading.loads(
+                self.form.text(self.ranges.parameters, cells, person), department=self.department
+            )
             results = course.solve(variant if self.whole else _lever(variant))
         except ProblemError as error:
             return _unsolved(error.problems[0])
@@ -125,7 +129,7 @@ def proof(ranges: Ranges, form: Form) -> Proof:
     whole = not touched.isdisjoint(OTHERS) or any(one.key not in of_lever for one in limits) or lever is None
     partial = lever is not None and lever.allow_partial
     closeness = ranges.closeness if ranges.closeness is not None else 0.0 if partial else CLOSENESS
-    return Proof(ranges, form, limits, closeness, whole)
+    return Proof(ranges, form, limits, closeness, whole, beside(ranges.template.source))
 
 
 def _limits(ranges: Ranges, found: Mapping[str, Value]) -> tuple[Limits, ...]:

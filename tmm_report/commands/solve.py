@@ -17,6 +17,7 @@ from tmm_report.loading import loads, stated
 from tmm_report.problems import N_, Message
 from tmm_report.running.journal import digest
 from tmm_report.variant import locate
+from tmm_report.variant.department import beside
 
 NO_TEX = N_(
     "no PDF: pdflatex is not installed. Windows: install MiKTeX (miktex.org). Debian, Ubuntu: apt install "
@@ -43,7 +44,8 @@ def run(
     wanted, deep = chosen(formats, open_note), depth_of(depth)
     folder = folder or Path(f"{variant.stem}-note")
     text, file = stated(variant)
-    loaded = loads(text, file)
+    department = beside(variant)
+    loaded = loads(text, file, department)
     talk.speak(language or loaded.language)
     if deep:
         loaded = replace(loaded, note=replace(loaded.note, depth=deep))
@@ -53,7 +55,7 @@ def run(
         files |= combinations(results, language)
     no_pdf = _add_pdf(results, language, files, talk) if pdf else []
     no_pdf += _add_print(results, language, files, talk) if print_it else []
-    changed = _put(folder, files, digest(__version__, text))
+    changed = _put(folder, files, digest(__version__, text, department.text if department else b""))
     good = summary(results, talk)
     _control(files, folder, talk)
     talk.tell(written(*(folder / name for name in _shown(files))))

@@ -24,8 +24,8 @@ from tmm_report.yamlread.marks import MARKS, composed
 from tmm_report.yamlread.opening import file_label, larger, opened, stream
 
 __all__ = [
-    "BYTES", "DEPTH", "DIGITS", "EVENTS", "MARKS", "Document", "Path", "Place", "composed", "file_label", "loads",
-    "located", "opened", "read", "stream",
+    "BYTES", "DEPTH", "DIGITS", "EVENTS", "MARKS", "Document", "OfFile", "Path", "Place", "composed",
+    "file_label", "loads", "located", "opened", "read", "stream",
 ]  # fmt: skip
 
 BYTES = 256 * 1024
@@ -35,6 +35,18 @@ DIGITS = 40  # the longest text of a number
 
 Path = tuple[str | int, ...]
 Place = tuple[int, int]
+
+
+class OfFile(tuple[int, int]):
+    """A place of another file than the document's."""
+
+    file: str
+
+    def __new__(cls, place: Place, file: str) -> OfFile:
+        made = super().__new__(cls, place)
+        made.file = file
+        return made
+
 
 _PARSER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # only its events are used
 _INT = re.compile(r"[-+]?(0|[1-9][0-9]*)")
@@ -66,8 +78,9 @@ def located(problem: Problem, places: Mapping[Path, Place], file: str) -> Proble
         return problem if problem.file else _printable(problem, file)
     path = problem.path
     around = (path[:n] for n in range(len(path), -1, -1))
-    line, column = next((places[part] for part in around if part in places), (None, None))
-    return replace(_printable(problem, file), line=line, column=column)
+    place = next((places[part] for part in around if part in places), (None, None))
+    file = place.file if isinstance(place, OfFile) else file
+    return replace(_printable(problem, file), line=place[0], column=place[1])
 
 
 def read(path: str | os.PathLike[str], soft: list[Problem] | None = None) -> Document:

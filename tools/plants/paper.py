@@ -5,6 +5,7 @@ from faults import Fault
 PROFILES = ("tests/report/test_profiles.py",)
 PRINT = ("tests/commands/test_printing.py",)
 FRONT = ("tests/report/test_front_matter.py",)
+DEPARTMENT = ("tests/batches/test_department.py",)
 FAULTS = (
     Fault("a binding margin of the print that is not the profile's", "templates/profile.css.j2",
           "{{ p.margins.bottom }}mm {{ p.margins.left }}mm", "{{ p.margins.bottom }}mm {{ p.margins.left - 5 }}mm",
@@ -29,4 +30,12 @@ FAULTS = (
           "{% if assignment.due %}", "{% if assignment.issued %}", tests=FRONT),
     Fault("who signs is left out of the title page", "templates/chapters/title.j2",
           "{% for role, name in title.signed %}", "{% for role, name in title.signed[1:] %}", tests=FRONT),
+    Fault("a department that goes before its variant", "tmm_report/variant/department.py",
+          "merged(own, theirs),", "merged(theirs, own),", tests=DEPARTMENT),
+    Fault("a department's mistake told of the variant", "tmm_report/yamlread/__init__.py",
+          "file = place.file if isinstance(place, OfFile) else file", "pass", tests=DEPARTMENT),
+    Fault("a department's file solved as a variant", "tmm_report/commands/batch/inputs.py",
+          "found = [source for source in found if source not in stated.values()]", "pass", tests=DEPARTMENT),
+    Fault("a batch that leaves its department out", "tmm_report/commands/batch/work.py",
+          "loads(task.content, task.label, task.department)", "loads(task.content, task.label)", tests=DEPARTMENT),
 )  # fmt: skip

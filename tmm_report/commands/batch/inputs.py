@@ -5,13 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from pathlib import Path
+from pathlib import Path, PurePosixPath
+from typing import TYPE_CHECKING
 
 from tmm_report import __version__
 from tmm_report.commands.talk import failure
 from tmm_report.problems import N_, Problem, ProblemError
 from tmm_report.records import dataclass
 from tmm_report.running.journal import digest
+from tmm_report.variant.department import Department, beside, is_one
+
+if TYPE_CHECKING:
+    from tmm_report.intake.sources import Source
 
 SUFFIXES = (".yaml", ".yml")
 OWN = re.compile(r"_*(index(-\d+)?\.html|summary\.csv|journal\.jsonl)", re.I)
@@ -22,7 +27,7 @@ OWN = re.compile(r"_*(index(-\d+)?\.html|summary\.csv|journal\.jsonl)", re.I)
 class Task:
     """One variant: `number` in the order of the input, its folder, how messages name it, its text, its key in the
     journal. `problems`: why there is no text of it. `filled`: the text is a template that was filled in, so that lines
-    and columns of it are nobody's."""
+    and columns of it are nobody's. `department`: what stands beside it for all variants."""
 
     number: int
     id: str
@@ -31,6 +36,7 @@ class Task:
     key: str
     problems: tuple[Problem, ...] = ()
     filled: bool = False
+    department: Department | None = None
 
 
 @dataclass(frozen=True)
@@ -53,7 +59,13 @@ def _keyed(tasks: Iterable[Task], options: Sequence[str]) -> Iterator[Task]:
     """With the key of each; the id is in it, as two variants may be alike."""
     for task in tasks:
         told = "\n".join(problem.text() for problem in task.problems)
-        yield replace(task, key=digest(*options, task.id, task.content, told), id=_folder(task.id))
+        yield replace(
+            task, key=digest(*options, task.id, task.content, told, _text(task)), id=_folder(task.id)
+        )
+
+
+def _text(task: Task) -> bytes:
+    return task.department.text if task.department else b""
 
 
 def _folder(id: str) -> str:
@@ -65,19 +77,36 @@ def _folder(id: str) -> str:
 
 
 def _from_places(places: Sequence[str]) -> Given:
-    from tmm_report.intake.sources import Source, sources
+    from tmm_report.intake.sources import sources
 
     found, refused = sources(places, SUFFIXES)
+    stated = {_place(source): source for source in found if is_one(PurePosixPath(source.name).name)}
+    found = [source for source in found if source not in stated.values()]
     if not found:
-        raise ProblemError(refused)
+        raise ProblemError(
+            refused or failure(N_("there is no variant beside the department's file")).problems
+        )
+
+    def department(source: Source) -> Department | None:
+        if (own := stated.get(_place(source))) is not None:
+            return Department(own.read(), own.label)
+        return beside(Path(source.place, source.name)) if source.member is None else None
 
     def read(number: int, source: Source) -> Task:
         try:
-            return Task(number, source.id, source.label, source.read(), "")
+            content = source.read()
+            return Task(number, source.id, source.label, content, "", department=department(source))
         except ProblemError as error:
             return Task(number, source.id, source.label, b"", "", tuple(error.problems))
 
     return Given((read(*one) for one in enumerate(found)), len(found), tuple(refused))
+
+
+def _place(source: Source) -> tuple[str, str]:
+    """The folder of a file, within an archive, too."""
+    if source.member is None:
+        return "", str(Path(source.place, source.name).parent)
+    return source.place, str(PurePosixPath(source.name).parent)
 
 
 # ---------------------------------------------------------------- a template and a table
@@ -93,7 +122,8 @@ def _from_table(places: Sequence[str], table: Path) -> Given:
         id, label, content = made
         if isinstance(content, ProblemError):
             return Task(number, id, label, b"", "", tuple(content.problems))
-        return Task(number, id, label, content, "", filled=True)
+        return Task(number, id, label, content, "", filled=True, department=department)
 
+    department = beside(places[0])
     rows = variants_of(Path(places[0]), table)
     return Given((read(*one) for one in enumerate(rows)), None)

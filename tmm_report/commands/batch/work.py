@@ -51,7 +51,7 @@ def loaded(task: Task) -> Variant | ProblemError:
     if task.problems:
         return ProblemError([*task.problems])
     try:
-        return loads(task.content, task.label)
+        return loads(task.content, task.label, task.department)
     except ProblemError as error:
         return error
 

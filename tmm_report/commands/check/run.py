@@ -14,6 +14,7 @@ from tmm_report.i18n import Translator
 from tmm_report.languages import FALLBACK
 from tmm_report.problems import N_, Message, Problem, ProblemError, shown
 from tmm_report.records import dataclass
+from tmm_report.variant.department import is_one
 
 MOST_SAMPLES = 2000
 MOST_TOLD = 30  # differences of one sample that the terminal is told; the file of JUnit has more
@@ -69,7 +70,7 @@ def samples(folder: Path) -> tuple[list[Path], list[Path]]:
         files = sorted(path for path in folder.iterdir() if path.name.endswith((".yaml", stored.SUFFIX)))
     except OSError as error:
         raise failure("%(folder)s: %(reason)s", folder=shown(folder, 1000), reason=error.strerror) from None
-    variants = [path for path in files if path.name.endswith(".yaml")]
+    variants = [path for path in files if path.name.endswith(".yaml") and not is_one(path.name)]
     if not variants:
         raise failure(N_("%(folder)s holds no variants: no files *.yaml"), folder=shown(folder, 1000))
     if len(variants) > MOST_SAMPLES:

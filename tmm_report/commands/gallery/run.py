@@ -15,6 +15,7 @@ from tmm_report.commands.talk import Talk, failure, unwritable, written
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.resources import data_root
+from tmm_report.variant.department import is_one
 
 PAGE = "README.md"  # shown by sites that show a folder
 
@@ -50,7 +51,7 @@ def _variants(folder: Path | None) -> list[Path]:
 def variants(folder: Path | None = None) -> list[Path]:
     """The variants of a folder, by name; by default the ready ones. Raises OSError."""
     folder = data_root() / "variants" if folder is None else folder
-    return sorted(file for file in folder.iterdir() if file.suffix == ".yaml")
+    return sorted(file for file in folder.iterdir() if file.suffix == ".yaml" and not is_one(file.name))
 
 
 def make(

@@ -64,7 +64,7 @@ def _of(task: Task, rubric: Rubric, suffix: str, language: str | None, own: bool
     """Its files by their endings. `own`: the sheet is this student's alone, and says so."""
     if task.problems:
         raise ProblemError([*task.problems])
-    results = solve(loads(task.content, task.label))
+    results = solve(loads(task.content, task.label, task.department))
     asked = expected(results)
     tr = translator(results.variant, language)
     title = {key: str(text) for key, text in vars(results.variant.title).items() if text} if own else {}
