@@ -359,6 +359,12 @@ FAULTS = (
     Fault("difference of the methods with the other sign", FLYWHEEL + "methods.py",
           "100 * (fly - exact) / exact", "100 * (exact - fly) / exact", "compressor",
           ("tests/chapters/machine/flywheel/test_flywheel_statement.py",)),
+    Fault("pole distance of the flywheel's diagrams twice as great", FLYWHEEL + "equations.py",
+          'distance = 180 * of["mu_A"]', 'distance = 360 * of["mu_A"]', "punch_press"),
+    Fault("friction left out of the loads written out", FLYWHEEL + "reduced.py",
+          'moment + table.var("M_fr", k) if', "moment if", "compressor"),
+    Fault("velocities of reduced masses without their squares", "tmm_report/chapters/lever/kinematics/quantities.py",
+          "(speed / omega) ** 2", "(speed / omega)", "compressor"),
     # --- governor ---
     Fault("weights of the balls lift the sleeve", MECHANICS + "machine/governor/equilibrium.py",
           "heavy * weights.gravity * balls.dh\n", "-heavy * weights.gravity * balls.dh\n", "governor_porter",

@@ -13,7 +13,7 @@ NAMES = (
 GREEK = dict(zip(NAMES.split(), "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩφε", strict=True))
 SIGNS = GREEK | {
     "cdot": "·", "to": "→", "times": "×", "leqslant": "≤", "geqslant": "≥", "pm": "±", "approx": "≈", "infty": "∞",
-    "parallel": "∥", "perp": "⟂", "neq": "≠", "prime": "′", "circ": "°", "ge": "≥", "le": "≤", "sum": "Σ",
+    "parallel": "∥", "perp": "⟂", "neq": "≠", "prime": "′", "circ": "°", "ge": "≥", "le": "≤", "sum": "Σ", "int": "∫",
     "NoteTimes": "·", "textbackslash": "\\", "textasciitilde": "~", "textasciicircum": "^", "gg": "≫", "ll": "≪",
     "circlearrowright": "↻", "circlearrowleft": "↺",
 }  # fmt: skip

@@ -167,8 +167,15 @@ def test_two_things_with_one_label_are_a_mistake():
 
 def test_symbol_is_explained_once():
     numbers = Numbering()
-    items = [{"id": "a", "symbol": "a"}, {"id": "b", "symbol": "b"}, {"id": "a", "symbol": "a"}]
-    assert [item["id"] for item in numbers.fresh(items)] == ["a", "b"] and numbers.fresh(items) == []
+    items = [
+        {"id": "a", "symbol": "a", "meaning": "arm"},
+        {"id": "b", "symbol": "b", "meaning": "width"},
+        {"id": "a", "symbol": "a", "meaning": "arm"},
+        {"id": "arm of a lever", "symbol": "a", "meaning": "arm"},
+        {"id": "a of a body", "symbol": "a", "meaning": "acceleration"},
+    ]
+    assert [item["id"] for item in numbers.fresh(items)] == ["a", "b", "a of a body"]
+    assert numbers.fresh(items) == []
 
 
 @pytest.mark.exhaustive

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from tmm_report.i18n import NP_
-from tmm_report.quantity.formula import Expr, Function, Page, Piece, Value
+from tmm_report.quantity.formula import PRODUCT, SUM, Expr, Function, Page, Piece, Value, Var
 from tmm_report.records import dataclass
 
 
@@ -34,6 +34,25 @@ class Degrees(Expr):
 
     def piece(self, page: Page) -> Piece:
         return page.number(self.angle, 10, degrees=True, scale=0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Integral(Expr):
+    """∫ body d(along) from `lower` to `upper`, for an equation in symbols; `number`: its value, found elsewhere."""
+
+    body: Expr
+    along: Var
+    lower: Expr
+    upper: Expr
+    number: Value = np.nan
+
+    def evaluate(self, digits: int | None = None) -> Value:
+        return self.number
+
+    def piece(self, page: Page) -> Piece:
+        lower, upper, along = (one.piece(page).text for one in (self.lower, self.upper, self.along))
+        body = page.bracket(self.body.piece(page), SUM)
+        return Piece(page.notation.integral(body, along, lower, upper), PRODUCT)
 
 
 FULL, HALF, RIGHT = Degrees(2 * math.pi), Degrees(math.pi), Degrees(math.pi / 2)

@@ -243,6 +243,9 @@ class Latex(Notation):
     def function(self, name: str, argument: str) -> str:
         return f"\\operatorname{{{name}}}{argument}"
 
+    def integral(self, body: str, along: str, lower: str, upper: str) -> str:
+        return f"\\int_{{{lower}}}^{{{upper}}}{body}\\,d{along}"
+
     def bar(self, text: str) -> str:
         return f"\\overline{{{text}}}"
 
@@ -330,6 +333,10 @@ class MathML(Notation):
 
     def function(self, name: str, argument: str) -> str:
         return f'<mrow><mi>{name}</mi><mspace width="0.17em"/>{argument}</mrow>'
+
+    def integral(self, body: str, along: str, lower: str, upper: str) -> str:
+        sign = f"<msubsup><mo>∫</mo><mrow>{lower}</mrow><mrow>{upper}</mrow></msubsup>"
+        return f'<mrow>{sign}{body}<mspace width="0.17em"/><mi>d</mi>{along}</mrow>'
 
     def bar(self, text: str) -> str:
         return f'<mover><mrow>{text}</mrow><mo stretchy="true">‾</mo></mover>'

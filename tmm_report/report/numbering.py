@@ -169,12 +169,14 @@ class Numbering:
         return re.sub(r"<p>\s*</p>\n?", "", text)
 
     def fresh(self, items: Iterable[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-        """Those of a "where" list's items that have not been explained before, by their "id"."""
+        """Those of a "where" list's items that have not been explained before, by their "id", nor as the same symbol
+        in the same words by another."""
         new = []
         for item in items:
-            if item["id"] not in self._explained:
-                self._explained.add(item["id"])
+            says = {item["id"], (item["symbol"], str(item["meaning"]))}
+            if says.isdisjoint(self._explained):
                 new.append(item)
+            self._explained |= says
         return new
 
     def _next(self, key: Hashable) -> int:

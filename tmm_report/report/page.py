@@ -242,10 +242,11 @@ class Page:
             sign = math_symbol(item["symbol"]) if isinstance(item["symbol"], str) else item["symbol"]
             if isinstance(sign, Symbol):
                 self.symbols.add(sign, item.get("message") or item["meaning"], item.get("unit", ""))
-        return [
+        told = [
             {"meaning": self.message(item["message"]), **item} if "message" in item else item
-            for item in self.numbering.fresh(items)
+            for item in items
         ]
+        return self.numbering.fresh(told)
 
     def contents(self) -> list[Markup]:
         """The numbered chapters written so far, by their titles."""

@@ -169,7 +169,7 @@ APART: Mapping[str, Sequence[tuple[str, Keys]]] = {
         ("punch", ("turns", "inertia")),
         ("shaft", ("ratio",)),
         ("rim", ("radius_of_gyration",)),
-        ("wheel", ("delta", "speeds", "machine")),
+        ("wheel", ("delta", "speeds", "machine", "methods")),
     ],
     "rotor.Body": [("tilt", ("products",))],
     **{
@@ -289,4 +289,5 @@ SIZED: Mapping[str, tuple[int, int]] = {
     "DriveModel.stages": (1, 3),
     "Areas.values": (2, 6),
     "Balancing.methods": (1, 4),
+    "Flywheel.methods": (1, 3),
 }

@@ -69,8 +69,15 @@ PIECES: dict[str, Piece] = {
     "methods.charts": Piece(
         N_("errors of methods and tables, drawn over their costs and numbers of positions")
     ),
-    "flywheel.wittenbauer": Piece(N_("the flywheel by Wittenbauer's method"), course="appendix"),
-    "flywheel.rerikh": Piece(N_("the flywheel by Rerikh's method"), course="appendix"),
+    "flywheel.derivation": Piece(N_("masses and loads reduced at a position, the integrals of the work")),
+    "flywheel.check": Piece(N_("the exact moment of inertia worked out, the motion with the flywheel")),
+    "flywheel.sketch": Piece(N_("drawing of the flywheel")),
+    "flywheel.methods": Piece(
+        N_("the flywheel by the other methods; comparison of the methods"), course="appendix"
+    ),
+    "flywheel.speeds": Piece(
+        N_("speeds over the cycle with and without the flywheel, the motion in two ways"), course="omit"
+    ),
     "balancing.left": Piece(
         N_("shaking force and moment after balancing, position by position"), course="appendix"
     ),

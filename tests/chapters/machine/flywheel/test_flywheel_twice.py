@@ -9,11 +9,13 @@ from scipy.optimize import brentq
 from twice import disagreements
 
 from tmm_report import course, loading
-from tmm_report.chapters.machine.flywheel.equations import sample, unevenness
+from tmm_report.chapters.machine.flywheel import reduced
+from tmm_report.chapters.machine.flywheel.equations import energies, pole, sample, unevenness
 from tmm_report.chapters.machine.flywheel.given import Disc, Gyration
 from tmm_report.chapters.machine.flywheel.methods import Written
 from tmm_report.chapters.machine.flywheel.quantities import book
 from tmm_report.mechanics.machine.flywheel import inertia as mechanics
+from tmm_report.quantity.formula import Var
 
 LOAD = "resisting: {table: [[0, 0], [90 deg, 800], [180 deg, 0], [360 deg, 0]]}"
 ALONE = f"{LOAD}, speed: 12, delta: 1/25"
@@ -70,16 +72,41 @@ def test_the_definition_of_the_unevenness_gives_what_the_motion_has(made):
 def test_formulas_of_rows_give_the_numbers_of_their_rows(made):
     found = made()
     table = book(found).tables["flywheel_table"]
-    formulas = [(table, k, one) for k in range(len(table)) for one in sample(found, table, k)]
+    formulas = [
+        (table, k, one) for k in range(len(table)) for of in (sample, energies) for one in of(found, table, k)
+    ]
     for method in found.methods if found.diagram else ("exact",) if found.methods else ():
         if method != "constant":
             written = Written(found, method)
-            cuts = written.cuts() if method != "rerikh" and found.diagram else ()
+            cuts = map(written.cut, "12") if method != "rerikh" and found.diagram else ()
             rows = [*cuts, written.needed(), written.wheel()]
             formulas += [(found.compared, written.row, one) for one in rows]
     for of, row, formula in formulas:
         size = np.nanmax(np.abs(of[formula.ref.key].numbers()))
         assert float(formula.value) == pytest.approx(of[formula.ref.key].number(row), abs=1e-9 * size)
+
+
+@pytest.mark.parametrize("name", ["compressor", "engine_four_stroke", "shaper_project"])
+def test_masses_and_loads_reduced_at_every_position_are_those_over_the_cycle(name):
+    found = solved(name).flywheel
+    table = book(found).tables["flywheel_table"]
+    keys = {"J_II", "M_dr" if found.sides.balancing == "resisting" else "M_res"}
+    for k in range(len(table)):
+        formulas = {one.ref.key: one for one in reduced.formulas(found, table, k)}
+        assert set(formulas) == keys
+        for key, one in formulas.items():
+            size = np.max(np.abs(table[key].numbers()))
+            assert float(one.value) == pytest.approx(table[key].number(k), abs=1e-9 * size)
+
+
+def test_the_pole_distance_lays_the_diagram_of_moments_off_as_that_of_works():
+    """A moment of one millimetre over one degree of the axis, through the pole, is its work at the scale of works."""
+    scales = [Var("mu_A", 5.0, "J/mm"), Var("mu_M", 20.0, "N·m/mm"), Var("mu_phi", 2.5, "°/mm")]
+    distance = float(pole(scales).value)
+    rise = (
+        1.0 / distance
+    )  # mm of the diagram of works for 1 mm along the axis, by a chord parallel to the ray
+    assert rise * 5.0 == pytest.approx(20.0 * np.radians(2.5))
 
 
 def _task(found):

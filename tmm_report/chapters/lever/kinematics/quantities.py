@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tmm_report.chapters.lever.initial_data.quantities import heavy_links
 from tmm_report.chapters.lever.kinematics import stroke as driving
 from tmm_report.chapters.lever.kinematics.checks.digits_left import digits_left
 from tmm_report.chapters.lever.kinematics.checks.singular import Closest
@@ -27,8 +28,9 @@ from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Out
 from tmm_report.chapters.lever.kinematics.solve.swings import first
 from tmm_report.mechanics.lever.cycle import Extreme
 from tmm_report.mechanics.lever.motion import Motion
-from tmm_report.mechanics.lever.vector_equations import named_values
+from tmm_report.mechanics.lever.vector_equations import moving_points, named_values, turning_links
 from tmm_report.problems import N_, Message
+from tmm_report.quantity.formula import Expr
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, kept, plain, text_column
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
@@ -51,6 +53,25 @@ SPECIAL = Message(N_("positions nearest to singular ones, singular positions, de
 def book(found: Kinematics) -> Book:
     """All that the chapter says in numbers."""
     return Book.of(tables(found), values(found))
+
+
+def kinetic(
+    found: Kinematics, links: Collection[str], masses: Table, rates: Table, omega: Expr, k: int
+) -> Iterator[Expr]:
+    """m (v_S/ω₁)² and J (ω/ω₁)² of `links` at a position, of the driving link its J: what makes up their reduced moment
+    of inertia. `masses`, `rates`: the tables of what is given and of the motion; `omega`: of the driving link."""
+    turning, moving = turning_links(found.linkage), moving_points(found.linkage)
+    mechanism = found.linkage.mechanism
+    for row, link in enumerate(heavy_links(mechanism)):
+        if link.name not in links:
+            continue
+        if link.mass and link.mass_centre in moving:
+            speed = rates.var(point_rate("v", str(link.mass_centre)).key, k, size=True)
+            yield masses.var("m", row) * (speed / omega) ** 2
+        if link.inertia and link.name == mechanism.driver.link:
+            yield masses.var("J", row)
+        elif link.inertia and link.name in turning:
+            yield masses.var("J", row) * (rates.var(link_rate("w", link.name).key, k, size=True) / omega) ** 2
 
 
 @tabulated

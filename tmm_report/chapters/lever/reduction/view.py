@@ -16,7 +16,6 @@ from tmm_report.chapters.lever.kinetostatics.quantities import positions as stat
 from tmm_report.chapters.lever.reduction import quantities as q
 from tmm_report.chapters.lever.reduction.solve import Reduction
 from tmm_report.figures.charts.graphs import Graph
-from tmm_report.mechanics.lever.vector_equations import moving_points, turning_links
 from tmm_report.problems import N_
 from tmm_report.quantity import model
 from tmm_report.quantity.formula import Expr, Formula
@@ -76,19 +75,10 @@ class ReductionView(BookView):
         return self.table("reduced_inertia_table").formula("I_red", self.position, total)
 
     def _terms(self) -> Iterator[Expr]:
-        """m (v_S/ω₁)² and J (ω/ω₁)² of every link that moves so; of the driving link its J."""
-        linkage = self.found.kinematics.linkage
-        masses, k = self._given.tables["masses"], self.position
-        turning, moving = turning_links(linkage), moving_points(linkage)
-        for row, link in enumerate(initial.heavy_links(self.mechanism)):
-            if link.mass and link.mass_centre in moving:
-                speed = self._rates.var(rates.point_rate("v", str(link.mass_centre)).key, k, size=True)
-                yield masses.var("m", row) * (speed / self._omega) ** 2
-            if link.inertia and link.name == self.driver:
-                yield masses.var("J", row)
-            elif link.inertia and link.name in turning:
-                rate = self._rates.var(rates.link_rate("w", link.name).key, k, size=True)
-                yield masses.var("J", row) * (rate / self._omega) ** 2
+        masses = self._given.tables["masses"]
+        return rates.kinetic(
+            self.found.kinematics, self.mechanism.links, masses, self._rates, self._omega, self.position
+        )
 
     @cached_property
     def _given(self) -> Book:

@@ -46,6 +46,9 @@ def mistakes(read: Read) -> Iterator[Problem]:
     if len(shapes) > 1:
         text = N_("the wheel has several shapes: %(keys)s")
         yield mistake(text, (*HERE, shapes[1]), Message(N_("state one of them")), keys=", ".join(shapes))
+    if written.wheel and written.methods:
+        text = N_("a stated wheel is not sought, so that no method for it is worked out")
+        yield mistake(text, (*HERE, "methods"), Message(N_("leave methods or wheel out")))
     yield from _shafts(written)
     yield from _wheels(written)
     yield from _speeds(written)

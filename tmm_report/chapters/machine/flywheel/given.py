@@ -304,6 +304,14 @@ class Flywheel:
         Flag | None,
         Field(description="false: the friction of the mechanism's pairs is left out of the resistances"),
     ] = None
+    methods: Annotated[
+        list[Literal["mertsalov", "wittenbauer", "rerikh"]] | None,
+        Field(
+            min_length=1,
+            description="that the text works out, beside the exact value; left out, mertsalov",
+            examples=["[wittenbauer]"],
+        ),
+    ] = None
 
     @property
     def usual(self) -> tuple[float, float] | None:
@@ -319,6 +327,13 @@ class Flywheel:
     def fixed(self) -> float:
         """The constant moment of inertia that is stated of what turns with the main link, kg m²."""
         return self.own + (self.varying.amount if isinstance(self.varying, Constant) else 0.0)
+
+    @property
+    def chosen(self) -> dict[str, bool]:
+        """Of each method whether the text works it out; the others stand where the note has what few want."""
+        return {
+            name: name in (self.methods or ["mertsalov"]) for name in ("mertsalov", "wittenbauer", "rerikh")
+        }
 
     @property
     def shape(self) -> Shape:

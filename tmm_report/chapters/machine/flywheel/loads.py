@@ -39,6 +39,7 @@ class Sides:
     drawn: Array  # of the diagrams'
     links: float = 0.0  # kg m²: those parts of the links' inertia that do not vary
     machine: Machine | None = None  # the mechanism, where there is one
+    uneven: tuple[str, ...] = ()  # its links whose inertia varies
 
     @property
     def rubbing(self) -> Array | None:
@@ -62,7 +63,8 @@ def _of_mechanism(given: Given, moving: Moving) -> Sides:
     parts = found.inertia
     even = tuple(link for link, part in parts.items() if np.ptp(part) <= EVEN * np.max(part))
     links = sum(float(np.mean(parts[link])) for link in even)
-    varying = sum((part for link, part in parts.items() if link not in even), np.zeros(found.panels.shape))
+    uneven = tuple(link for link in parts if link not in even)
+    varying = sum((parts[link] for link in uneven), np.zeros(found.panels.shape))
     loads, rubbing = found.whole_moment, found.rubbing
     mean = _mean(found.panels, loads + rubbing, "loads")
     driven = mean < 0
@@ -77,6 +79,7 @@ def _of_mechanism(given: Given, moving: Moving) -> Sides:
         kinematics.diagram_turned,
         links,
         found,
+        uneven,
     )
 
 

@@ -59,16 +59,16 @@ class Written:
     def _formula(self, key: str, expression: Expr) -> Formula:
         return self.found.compared.formula(key, self.row, expression)
 
-    def cuts(self) -> Iterator[Formula]:
-        """A − s J_II at both ends: what the tangents cut off."""
+    def cut(self, end: str) -> Formula:
+        """A − s J_II at an end, "1" or "2": what the tangent there cuts off."""
         s = self.found.s
         squares: dict[str, tuple[Expr, Expr]] = {
             "mertsalov": (s.omega_m**2, s.omega_m**2),
             "wittenbauer": (s.omega_m**2 * (1 + s.delta), s.omega_m**2 * (1 - s.delta)),
             "exact": (s.omega_max**2, s.omega_min**2),
         }
-        for end, square in zip("12", squares[self.method], strict=True):
-            yield self._formula(f"T_{end}", self.at(f"A_{end}") - self.at(f"J_{end}") * square / 2)
+        square = squares[self.method]["12".index(end)]
+        return self._formula(f"T_{end}", self.at(f"A_{end}") - self.at(f"J_{end}") * square / 2)
 
     def needed(self) -> Formula:
         """J_I: of Wittenbauer by the segment between the tangents, of Rerikh by the equation of energy between both

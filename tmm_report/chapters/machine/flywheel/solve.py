@@ -38,7 +38,7 @@ LEAST = 1e-12  # of the work of the moments: an excess work below it is rounding
 class Found:
     """Found by `solve`. `s`: the single numbers; `methods`: by name, where a flywheel is wanted; `before`: the motion
     without it, None where the machine would come to a stand; `after`: with it; `proof`: the same integrated step by
-    step."""
+    step; `moving`: the lever mechanism, None of a machine that stands alone."""
 
     given: Given
     s: Values
@@ -47,7 +47,12 @@ class Found:
     before: Turning | None
     after: Turning
     proof: Integrated
-    lever: bool
+    moving: Moving | None
+
+    @property
+    def lever(self) -> bool:
+        """Whether the machine is a lever mechanism."""
+        return self.moving is not None
 
     @property
     def cycle(self) -> Cycle:
@@ -128,7 +133,7 @@ def solve(given: Given, moving: Moving | None) -> Found:
         steps.unevenness(s, after.delta)
     start = math.sqrt(2 * after.start / (after.fixed + float(of.cycle.panels.ends(of.cycle.varying)[0, 0])))
     proof = integrated(of.cycle, after.fixed, start)
-    found = Found(given, s, of, methods, before, after, proof, moving is not None)
+    found = Found(given, s, of, methods, before, after, proof, moving)
     steps.motion(s, found)
     if found.diagram:
         steps.energy_mass(s, found)

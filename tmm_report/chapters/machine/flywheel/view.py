@@ -13,7 +13,14 @@ from markupsafe import Markup
 from tmm_report.chapters.lever.moving import friction_told
 from tmm_report.chapters.machine.flywheel import draw, sketch
 from tmm_report.chapters.machine.flywheel import quantities as q
-from tmm_report.chapters.machine.flywheel.equations import sample, unevenness
+from tmm_report.chapters.machine.flywheel.equations import (
+    energies,
+    pole,
+    running_work,
+    sample,
+    unevenness,
+    whole_work,
+)
 from tmm_report.chapters.machine.flywheel.methods import Written
 from tmm_report.chapters.machine.flywheel.solve import Found
 from tmm_report.figures.charts.graphs import Curve, Graph
@@ -24,8 +31,8 @@ from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Column
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.chapter_view import ChapterView
-from tmm_report.report.diagrams import CycleGraphs, scale_of
-from tmm_report.report.page import Page
+from tmm_report.report.diagrams import CycleGraphs, scale_of, scales
+from tmm_report.report.page import ROUNDING, Page
 from tmm_report.report.paper.layout import Table, numeric, worded
 from tmm_report.report.part import Part
 
@@ -36,6 +43,12 @@ METHODS = {
     "rerikh": N_("Rerikh"),
     "constant": N_("constant moment of inertia"),
 }
+OFF = {
+    "mertsalov": N_("Mertsalov's method differs from it by %(off)s %%."),
+    "wittenbauer": N_("Wittenbauer's method differs from it by %(off)s %%."),
+    "rerikh": N_("Rerikh's method differs from it by %(off)s %%."),
+}
+SPEEDS = ("omega_0", "omega", "domega", "epsilon")  # columns of the motion
 WAYS = {"energy": N_("energy integral"), "integration": N_("integration of the equation of motion")}
 SHOWN = ("mertsalov", "wittenbauer", "rerikh", "constant", "exact")  # in the order of the note
 
@@ -79,10 +92,14 @@ class FlywheelView(ChapterView):
             keys += ["P_nom", "omega_nom", *(["J_r"] if given.motor.inertia else [])]
         return self.listed(keys)
 
-    def balance(self) -> list[Formula]:
-        """The constant moment that closes the cycle, its power, that of the motor."""
-        lossless = self.s.get("eta") == 1
-        return self.formulas("M_m", "P_m", *([] if lossless else ["P_need"]))
+    @property
+    def geared(self) -> bool:
+        """Whether the motor's gear takes a part of its power."""
+        return self.s.has_formula("P_need") and self.s.get("eta") != 1
+
+    def inline(self, *keys: str) -> Markup:
+        """Formulas in running text."""
+        return self.page.listed(map(self.page.math, self.formulas(*keys)))
 
     def friction(self) -> Markup | None:
         """What is said of the friction of the pairs; None where none is stated."""
@@ -121,11 +138,70 @@ class FlywheelView(ChapterView):
     def samples(self) -> list[Formula]:
         return list(sample(self.found, self.table("table"), self.position))
 
+    @cached_property
+    def energies(self) -> list[Formula]:
+        return list(energies(self.found, self.table("table"), self.position))
+
+    @cached_property
+    def reduced(self) -> list[Formula]:
+        """The masses and loads of a lever mechanism, reduced at the position."""
+        from tmm_report.chapters.machine.flywheel import reduced  # only a lever mechanism needs it
+
+        return list(reduced.formulas(self.found, self.table("table"), self.position))
+
+    def whole_work(self) -> Definition:
+        return whole_work(self.found)
+
+    def work_explained(self) -> list[dict[str, Any]]:
+        side = "M_res" if self.found.sides.balancing == "driving" else "M_dr"
+        return [
+            *self.explained("W"), *self.columns_explained("table", side, "phi"), *self.explained("Phi")
+        ]  # fmt: skip
+
+    def running_work(self) -> Definition:
+        return running_work()
+
+    def pole(self) -> Formula:
+        return pole(scales(self.diagram))
+
     # ------------------------------------------------------------ tables
 
     def cycle(self, caption: Any) -> Table:
+        """Moments, works and energies; a moment that is constant has been said."""
+        of = self.found.sides.balancing
+        constant = {"driving": "M_dr", "resisting": "M_res" if not self.of_friction else ""}.get(of, "")
         table = self.table("table")
-        return numeric(caption, self.page.positions(table), self.columns("table", leave=("position",)))
+        leave = ("position", constant, *SPEEDS)
+        return numeric(caption, self.page.positions(table), self.columns("table", leave=leave))
+
+    @property
+    def of_friction(self) -> bool:
+        """Whether friction is in the resistances, which therefore vary."""
+        return "M_fr" in self.table("table")
+
+    def speeds(self, caption: Any) -> Table:
+        table = self.table("table")
+        keys = [key for key in SPEEDS if key in table]
+        return numeric(caption, self.page.positions(table), self.columns("table", ["phi", *keys]))
+
+    def left_for_the_wheel(self, method: str) -> Markup:
+        """J_I less the machine's own, in running text."""
+        return self.page.math(self.by(method).wheel())
+
+    def cut(self, method: str, end: str) -> Markup:
+        """What a tangent of a method cuts off, in running text."""
+        return self.page.value(self.table("methods").var(f"T_{end}", self.by(method).row))
+
+    def off(self) -> Markup:
+        """By how much the methods of the text differ from the exact value; nothing where no flywheel is needed."""
+        table = self.table("methods")
+        rows = {name: self.by(name).row for name, chosen in self.found.given.chosen.items() if chosen}
+        said = [
+            self.t(OFF[name], off=self.page.shown(table, "deviation", row, digits=3, scale=1e-6))
+            for name, row in rows.items()
+            if math.isfinite(table["deviation"].number(row))
+        ]
+        return self.page.listed(said, " ")
 
     def by(self, method: str) -> Written:
         """A method written out."""
@@ -163,6 +239,12 @@ class FlywheelView(ChapterView):
         ]
         return worded(caption, [self.t("Way"), *heads], rows, (8, 3, 3, 3))
 
+    @property
+    def agrees(self) -> bool:
+        """Whether the motion in two ways differs by rounding alone."""
+        miss = self.of("proof", "miss").numbers()[1]
+        return max(abs(float(miss)), abs(self.s.number("closure"))) < ROUNDING
+
     def miss(self) -> Markup:
         return self.page.bound(self.table("proof"), "miss", 1)
 
@@ -189,17 +271,34 @@ class FlywheelView(ChapterView):
         for panel, row in enumerate(of for of in known if of):
             for column in row:
                 name = self._graphs.letter(column.symbol()) if len(row) > 1 else ""
-                # values beside a curve that lies on another would cover it: they stand under it again
-                marks = () if column.key == "omega" else draw.extremes(self.found, column.key)
+                # values beside a curve that lies on another would cover it: they stand in formulas, or under it again
+                marks = () if column.key in ("omega", "A") else draw.extremes(self.found, column.key)
+                if column.key == "J_II":
+                    marks = marks and marks[:1]  # the least is too near to the axis
                 curves.append(Curve(column.values, name, panel, marks))
             shown = Symbol(row[0].symbol().base) if len(row) > 1 else row[0].symbol()
             labels.append(self._graphs.letter(shown, row[0].unit))
         return self._graphs.graph(curves, labels)
 
+    @property
+    def derived(self) -> bool:
+        """Whether the note derives the reduced moment of inertia, and does not only give it."""
+        return self.page.note.stand("flywheel.derivation") != "omit"
+
     @cached_property
     def diagram(self) -> Graph:
+        """Moments, moment of inertia, work and energy; where nothing is derived moments and work."""
         moments = ("M_dr", "M_res") if "M_dr" in self._drawn else ("M_ex",)
-        return self._panels(moments, ("A",), ("J_II",), ("dT_I",))
+        rows = (moments, ("J_II",), ("A", "dT_I"))
+        return self._panels(*(rows if self.derived else rows[::2]))
+
+    def caption(self) -> Markup:
+        """Of the diagram."""
+        if not self.found.varies:
+            return self.t(N_("Moments and work over the cycle"))
+        if not self.derived:
+            return self.t(N_("Moments, work and energy over the cycle"))
+        return self.t(N_("Moments, moment of inertia, work and energy over the cycle"))
 
     @cached_property
     def speed_diagram(self) -> Graph:
@@ -251,14 +350,25 @@ class FlywheelView(ChapterView):
             )
             return [self.t(text, delta=self.number("delta_0", digits=4))]
         text = N_("A flywheel of %(J)s kg·m² leaves the machine the coefficient of non-uniformity %(delta)s.")
-        lines = [self.t(text, J=self.number("J_fl"), delta=self.number("delta_run", digits=4))]
         if "J_shaft" in self.s and self.s.number("i") != 1:
             text = N_(
-                "That is its moment of inertia reduced to the main link; on its own shaft, with the ratio %(ratio)s, "
-                "it has %(J)s kg·m²."
+                "A flywheel of %(own)s kg·m² on its own shaft, with the ratio %(ratio)s to the main link, is one of "
+                "%(J)s kg·m² reduced to that link and leaves the machine the coefficient of non-uniformity %(delta)s."
             )
-            lines.append(self.t(text, ratio=self.number("i"), J=self.number("J_shaft")))
-        if "D" in self.s and "m" in self.s:
-            text = N_("Its diameter is %(D)s m, its mass %(m)s kg.")
-            lines.append(self.t(text, D=self.number("D"), m=self.number("m")))
-        return lines
+        form = {"own": "J_shaft", "ratio": "i", "J": "J_fl"}
+        numbers = {name: self.number(key) for name, key in form.items() if f"%({name})s" in text}
+        said = [self.t(text, delta=self.number("delta_run", digits=4), **numbers)]
+        if "D_out" in self.s:
+            text = N_("Its diameter is %(D)s m, its width %(b)s m and its mass %(m)s kg.")
+            if self.shape == "rim":
+                text = N_(
+                    "Its outer diameter is %(D)s m, its width %(b)s m and the mass of its rim %(m)s kg."
+                )
+            said.append(self.t(text, D=self.number("D_out"), b=self.number("b"), m=self.number("m")))
+            text = N_("The speed at its rim, %(v)s m/s, is within the %(limit)s m/s that it may have.")
+            if found.bursts:
+                text = N_("The speed at its rim, %(v)s m/s, is above the %(limit)s m/s that it may have.")
+            said.append(self.t(text, v=self.number("v"), limit=self.number("v_lim")))
+        elif "m" in self.s:
+            said.append(self.t(N_("Its mass is %(m)s kg."), m=self.number("m")))
+        return [self.page.listed(said, " ")]
