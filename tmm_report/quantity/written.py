@@ -46,7 +46,7 @@ def _worked(quantity: Quantity, expression: Expr, digits: int, ref: Ref | None) 
     )
 
 
-SEGMENT = Message(N_("length of a vector in the plan"))
+SEGMENT = Message(N_("length of a segment on the drawing"))
 
 
 def segment_of(ends: str) -> Quantity:

@@ -10,6 +10,7 @@ import numpy as np
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.schemes.scheme import (
     GROUPS_PAGE,
+    PAGE,
     Arrays,
     Drawn,
     groups_apart,
@@ -23,8 +24,6 @@ from tmm_report.mechanics.lever.assur_groups import Group
 from tmm_report.mechanics.lever.cams.replacing_dyad import standing
 from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
 from tmm_report.mechanics.lever.motion import Motion
-from tmm_report.quantity.formula import Var
-from tmm_report.report.diagrams import scale_of
 
 
 class Schemes:
@@ -57,15 +56,19 @@ class Schemes:
         here = {point: place[position : position + 1] for point, place in places.items()}
         return in_text(lambda mu: self._drawn(position, mu), self.scale, here, GROUPS_PAGE)
 
-    def all(self, position: int, strokes: Sequence[Stroke] = ()) -> Drawing:
-        """All positions, one of them drawn in full; working `strokes` are marked."""
+    def all_in_text(self, position: int, strokes: Sequence[Stroke] = ()) -> Drawn:
+        """All positions, at a coarser scale than that of the construction where they do not fit the text at it."""
+        return in_text(lambda mu: self.all(position, strokes, mu), self.scale, self._distinct[0], PAGE)
+
+    def all(self, position: int, strokes: Sequence[Stroke] = (), scale: float = 0.0) -> Drawing:
+        """All positions, one of them drawn in full; working `strokes` are marked. `scale`: another one, m/mm."""
         places, turns = self._distinct
         centres = [link.mass_centre for link in self.mechanism.links.values() if link.mass_centre]
         return positions_scheme(
             self.mechanism,
             places,
             turns,
-            self.scale,
+            scale or self.scale,
             position % self.count,
             self._traced,
             centres,
@@ -77,10 +80,6 @@ class Schemes:
         """The groups apart at the scale of the schemes, or at a coarser one where they do not fit a page at it."""
         mechanism, places, turns, k = self._replaced(position)
         return groups_apart(mechanism, places, turns, self._named(groups), k, self.scale)
-
-    def scale_var(self) -> Var:
-        """mu_l with the scale at which the schemes are drawn."""
-        return scale_of("mu_l", self.scale, "m/mm")
 
     def _replaced(self, position: int) -> tuple[Mechanism, Arrays, Arrays, int]:
         """The mechanism, its places and turns, and the position in them: where there are cam pairs, of the mechanism in

@@ -28,6 +28,7 @@ PIECES: dict[str, Piece] = {
     "kinematics.contours": Piece(N_("vector contours of the groups, worked out at a position")),
     "kinematics.singular": Piece(N_("how near the groups come to singular positions"), course="appendix"),
     "kinematics.dead_points": Piece(N_("dead points")),
+    "kinematics.extremes": Piece(N_("extreme values of the motion of the links")),
     "kinematics.angles": Piece(N_("motion of the links that are no outputs"), course="appendix"),
     "kinematics.analogues": Piece(N_("analogues of velocities and accelerations"), course="appendix"),
     "plans.others": Piece(N_("plans of the positions after the first one, worked out"), course="omit"),

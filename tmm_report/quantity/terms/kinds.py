@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from tmm_report.quantity.formula import Expr, Formula, Negative, Var
 
@@ -34,19 +34,33 @@ class Kinds:
         self._first: dict[Hashable, object] = {}  # the part of the chapter that had the kind first
         self._alike = set[Hashable]()
 
+    def explained(self, items: Iterable[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+        """Items of a "where" list, of which what differs by its points and links alone is explained once for all."""
+        return [
+            {**item, "id": item["message"].text} if not self.every and item["message"].values else item
+            for item in items
+        ]
+
     def __call__(self, formulas: Iterable[Formula], part: str | None = None) -> Worked:
         """`part`: of the chapter, as a group: what is of one kind within it is printed in symbols; None: nothing is."""
         found = Worked([], [])
         for formula in formulas:
             here = object() if part is None else part
-            alike = _kind(formula, True)
-            if not self.every and self._first.setdefault(_kind(formula, False), here) != here:
+            nought = not formula.written  # what gives nothing is an example of such alone
+            same, alike = _kind(formula, False), _kind(formula, True)
+            if not self.every and self._known(same, nought, here) != here:
                 found.same.append(value_of(formula))
             else:
                 known = not self.every and alike in self._alike
                 found.lines.append(replace(formula, numbers=False) if known else formula)
-            self._alike.add(alike)
+            self._first.setdefault((same, nought), here)
+            if not nought:
+                self._alike.add(alike)
         return found
+
+    def _known(self, same: Hashable, nought: bool, here: object) -> object:
+        """The part that worked out such a formula first; `here` if none did."""
+        return self._first.get((same, False), self._first.get((same, True), here) if nought else here)
 
 
 def value_of(formula: Formula) -> Var:

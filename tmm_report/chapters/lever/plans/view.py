@@ -79,6 +79,17 @@ class PlansView(BookView):
         """Whether the driving link moves by a law of the time."""
         return self.found.by_law
 
+    def translating(self) -> list[str]:
+        """Links with two joints that turn at none of the positions drawn, nor begin to."""
+        values = [{**one.velocity.values, **one.acceleration.values} for one in self.found.drawn]
+        rates = [key for key in values[0] if key.startswith("w_")] if values else []
+        links = [key.removeprefix("w_") for key in rates]
+        return [
+            link
+            for link in links
+            if all(one.get(f"w_{link}") == 0 and one.get(f"e_{link}") == 0 for one in values)
+        ]
+
     def in_parts(self, plan: Plan) -> bool:
         """Whether the driving link's own acceleration is drawn by its normal and tangential parts."""
         return bool(plan.strokes) and plan.strokes[0].role == "bend"
@@ -88,6 +99,10 @@ class PlansView(BookView):
 
     def accuracy(self) -> Markup:
         return self.number("accuracy")
+
+    def where(self, *formulas: Any) -> list[Any]:
+        """What a "where" list says of the quantities of the formulas."""
+        return self.kinds.explained(self.page.where(*formulas))
 
     # ------------------------------------------------------------ scales
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -21,13 +21,14 @@ from tmm_report.quantity.formula import Formula, Number, Var, at
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.terms.kinds import Kinds, Worked
+from tmm_report.quantity.written import Equation
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.words import group_name
 
 CONVENTIONS = (
-    (Symbol("x", "i"), N_("x of point i"), "m"),
-    (Symbol("y", "i"), N_("y of point i"), "m"),
+    (Symbol("x", "i"), N_("coordinate x of point i"), "m"),
+    (Symbol("y", "i"), N_("coordinate y of point i"), "m"),
     (
         Symbol("v", "i", "x"),
         N_("projection of the velocity of point i on the x axis, likewise on the y axis"),
@@ -122,8 +123,25 @@ class ContoursView:
             )
         return self.t(text, link=written.links[0], by=written.by, at=written.at)
 
-    def conventions(self) -> list[dict[str, Any]]:
-        """What the symbols mean that are alike for all points and groups."""
+    def where(self, *formulas: Formula | Equation) -> list[Mapping[str, Any]]:
+        """What a "where" list says of the quantities of the formulas."""
+        return self.kinds.explained(self.page.where(*formulas))
+
+    def conventions(self, items: Sequence[Mapping[str, Any]]) -> Markup:
+        """What the symbols mean, in a sentence."""
+        told = [
+            self.page.listed(
+                [self.page.sym(item["symbol"]), " – ", item["meaning"], *self._unit(item["unit"])], ""
+            )
+            for item in items
+        ]
+        return self.page.listed(told, "; ")
+
+    def _unit(self, unit: str) -> tuple[str, ...]:
+        return (", ", self.page.unit(unit)) if unit else ()
+
+    def symbols(self) -> list[dict[str, Any]]:
+        """The symbols that are alike for all points and groups."""
         return [
             {"id": f"contours {symbol}", "symbol": symbol, "meaning": self.t(text), "unit": unit}
             for symbol, text, unit in CONVENTIONS

@@ -115,12 +115,15 @@ class MotionView(BookView):
 
     def ways(self) -> Iterator[Markup]:
         """Which way each slider's displacement is positive."""
+        names: dict[Any, list[str]] = {}
         for travel in self.found.travels:
             if travel.output.kind == "slider":
                 way = force_direction(travel.output.direction, self.page)
-                yield self.t(
-                    "Positive displacement of %(name)s points %(way)s.", name=travel.output.name, way=way
-                )
+                names.setdefault(way, []).append(travel.output.name)
+        for way, those in names.items():
+            yield self.t(
+                "Positive displacement of %(name)s points %(way)s.", name=self.page.listed(those), way=way
+            )
 
     def travels(self, caption: Any) -> Table:
         """φ, t, and S, V, a of the outputs at the table positions."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,18 +18,19 @@ from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.chapters.lever.kinematics.solve.working_stroke import Working, working_of
 from tmm_report.chapters.lever.kinematics.view.motion import MotionView
 from tmm_report.chapters.lever.schemes import schemes_of
-from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.lettering import symbol
+from tmm_report.figures.schemes.scheme import Drawn
 from tmm_report.figures.schemes.strokes import Stroke
 from tmm_report.mechanics.lever.cams.replacing_dyad import CamDyad
 from tmm_report.mechanics.lever.dyads import Dyad
 from tmm_report.mechanics.lever.high_class.newton import HigherGroup
 from tmm_report.problems import N_
 from tmm_report.quantity import model
-from tmm_report.quantity.formula import Formula
+from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Book, variable
 from tmm_report.quantity.symbols import segment
 from tmm_report.report.chapter_view import BookView
+from tmm_report.report.diagrams import scale_of
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.part import Failed, Part
@@ -135,13 +137,28 @@ class KinematicsView(BookView):
         """Positions of the scheme."""
         return self.found.positions.table // self.turns
 
-    def scheme(self) -> Drawing:
+    @cached_property
+    def scheme(self) -> Drawn:
+        """All positions: at the scale of the construction, in a shorter note at one that the text holds."""
+        strokes = self._strokes()
+        if self.page.note.every:
+            return Drawn(self.schemes.scale, self.schemes.all(self.position, strokes))
+        return self.schemes.all_in_text(self.position, strokes)
+
+    def scheme_scale(self) -> Var:
+        """mu_l with the scale at which the positions are drawn."""
+        return scale_of("mu_l", self.scheme.mu, "m/mm")
+
+    def reduced(self) -> bool:
+        """Whether the positions are drawn smaller than they are constructed."""
+        return self.scheme.mu > self.schemes.scale
+
+    def _strokes(self) -> list[Stroke]:
         words = self.page.tr.gettext("working stroke")
         driver = self.found.linkage.mechanism.driver
         if driver.law is not None and not driver.goes_round:  # it goes over the same places there and back
-            return self.schemes.all(self.position)
-        strokes = [Stroke(w.first, w.last, (words, " ", symbol(w.output))) for w in self.working.values()]
-        return self.schemes.all(self.position, strokes)
+            return []
+        return [Stroke(w.first, w.last, (words, " ", symbol(w.output))) for w in self.working.values()]
 
     def length_scale(self) -> Formula | None:
         """mu_l from the driving link's arm as drawn; None where it has no arm."""
@@ -243,20 +260,23 @@ class KinematicsView(BookView):
         points = {travel.output.name for travel in self.found.travels if travel.output.kind == "slider"}
         told = []
         for dead in self.found.dead:
-            rows = list(zip(dead.in_line, where, strict=False))
+            rows: dict[Any, list[int]] = {}
+            for pair, row in zip(dead.in_line, where, strict=False):
+                rows.setdefault(pair, []).append(row)
             if rows:
                 of = OF_POINT if dead.output in points else OF_LINK
-                name = self.page.said(self.page.named(table, "of", rows[0][1]))
-                angles = self.page.listed(self._dead(table, row, pair) for pair, row in rows)
+                name = self.page.said(self.page.named(table, "of", next(iter(rows.values()))[0]))
+                angles = self.page.listed(self._dead(table, rows[pair], pair) for pair in rows)
                 told.append(self.t(of, name=name, angles=angles))
         return self.page.listed(told, "; ")
 
-    def _dead(self, table: model.Table, row: int, pair: Any) -> Markup:
-        angle = self.page.shown(table, "phi", row, places=3)
-        if not pair:
-            return self.page.listed([angle, "°"], "")
-        text = N_("%(angle)s° (links %(one)s and %(other)s in one line)")
-        return self.t(text, angle=angle, one=pair[0], other=pair[1])
+    def _dead(self, table: model.Table, rows: Sequence[int], pair: Any) -> Markup:
+        """The angles of turn at which the same two links are in line."""
+        angles = self.page.listed(
+            self.page.listed([self.page.shown(table, "phi", row, places=3), "°"], "") for row in rows
+        )
+        text = N_("%(angles)s (links %(one)s and %(other)s in one line)")
+        return self.t(text, angles=angles, one=pair[0], other=pair[1]) if pair else angles
 
     def sentences(self) -> list[Markup]:
         """What is to be said of gaps, parallel guides among them, of limits and change points."""
