@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
@@ -165,10 +166,21 @@ class _Reading(NamedTuple):
     read: Read
 
 
+DIGITS = 5  # of an ordinary number; a difference of near ones is worked with more
+
+
 def _alike(one: _Reading, other: _Reading) -> bool:
-    """Whether two numbers read the same; in a column of numbers one may have fewer decimals, rounded rightly."""
+    """Whether a number `one`, to the most digits, and another read the same. In a column of numbers one may have fewer
+    decimals, rounded rightly; of more than five digits five may be printed elsewhere, all but a nought or two."""
     a, b = one.read, other.read
     if a.value == b.value:
         return True
-    cells = "td" in (one.number.node.tag, other.number.node.tag)
-    return cells and abs(a.value - b.value) <= (a.half + b.half) * (1 + 1e-9)
+    if "td" in (one.number.node.tag, other.number.node.tag):
+        return abs(a.value - b.value) <= (a.half + b.half) * (1 + 1e-9)
+    rounded = float(f"{a.value:.{DIGITS - 1}e}")
+    return math.isclose(rounded, b.value, rel_tol=1e-9) and b.half <= 50 * _unit(b.value)
+
+
+def _unit(value: float) -> float:
+    """Half a unit of the fifth digit."""
+    return 0.5 * 10.0 ** (math.floor(math.log10(abs(value))) - DIGITS + 1) if value else 0.0

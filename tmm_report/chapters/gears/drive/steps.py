@@ -167,7 +167,7 @@ class Whole:
         one, other = self.omega(found.input), self.omega(found.output)
         s.u = Computed(one / other, found.ratio) if found.differential and found.runs else found.ratio
         series = not found.locks and not found.differential and len(found.stages) > 1
-        s.eta = Computed(self._over_stages("eta", digits=4), found.efficiency) if series else found.efficiency
+        s.eta = Computed(self._over_stages("eta"), found.efficiency) if series else found.efficiency
 
     # ------------------------------------------------------------ diagrams
 

@@ -133,7 +133,7 @@ class OrdinaryView(ChapterView):
                 "The lead angle %(gamma)s° does not exceed the angle of friction %(phi)s°: the worm locks itself, no "
                 "load on the wheel drives it."
             )
-        return self.t(text, gamma=self.number("gamma", digits=4), phi=self.number("phi", digits=4))
+        return self.t(text, gamma=self.number("gamma"), phi=self.number("phi"))
 
     def _wrapped(self, least: int) -> Markup:
         """The lesser angle of wrap against the rule."""
@@ -145,7 +145,7 @@ class OrdinaryView(ChapterView):
                 "The pulley that is wrapped less is so by %(wrap)s°, less than the %(least)s° of the rule: a greater "
                 "distance of the centres or a tightener is wanted."
             )
-        return self.t(text, wrap=self.number(key, "deg", digits=4), least=least)
+        return self.t(text, wrap=self.number(key, "deg"), least=least)
 
     def sketch(self) -> Drawing:
         return sketch(self.found, str(self.heading))

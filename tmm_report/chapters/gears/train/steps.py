@@ -354,7 +354,7 @@ class Numbers:
             )
             s.eta_back = found.back
         one, other = float(loads.torque[found.input]), float(loads.torque[found.output])
-        ratio = (s["u_loss"] if found.lossy else s["u"]).var(digits=6)
+        ratio = (s["u_loss"] if found.lossy else s["u"]).var(digits=7)
         given = found.given
         omega_in, omega_out = (
             self.members[found.built.body(name)].omega for name in (found.input, found.output)

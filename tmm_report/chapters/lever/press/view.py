@@ -102,14 +102,14 @@ class PressView(ChapterView):
                 "The rated force of the press, %(F)s kN, is permitted from %(alpha)s before the dead point on, where "
                 "%(s)s mm are left."
             )
-            angle = self.measured("alpha_nom", digits=4)
-            lines.append(self.t(text, F=self.number("rated"), alpha=angle, s=self.number("s_nom", digits=4)))
+            angle = self.measured("alpha_nom")
+            lines.append(self.t(text, F=self.number("rated"), alpha=angle, s=self.number("s_nom")))
         if "dwell" in self.s:
             text = N_("Within %(within)s mm of its dead point the slider dwells over %(angle)s, %(t)s s.")
-            angle = self.measured("dwell", digits=4)
-            t = self.number("t_dwell", digits=4)
+            angle = self.measured("dwell")
+            t = self.number("t_dwell")
             lines.append(self.t(text, within=self.number("within"), angle=angle, t=t))
         if "peak" in self.s:
             text = N_("Over the working stroke the greatest velocity of the slider is %(k)s of the mean one.")
-            lines.append(self.t(text, k=self.number("peak", digits=4)))
+            lines.append(self.t(text, k=self.number("peak")))
         return lines

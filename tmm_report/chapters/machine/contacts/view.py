@@ -71,7 +71,7 @@ class PairView(ChapterView):
         return self.page.listed([kind, self.item.of.name], ": ") if self.item.of.name else kind
 
     def concluded(self) -> Markup:
-        return self.page.listed([self.item.of.name or self.heading, self.number("eta", digits=4)], " – ")
+        return self.page.listed([self.item.of.name or self.heading, self.number("eta")], " – ")
 
     def row(self) -> list[Any]:
         """Of the table of all pairs."""

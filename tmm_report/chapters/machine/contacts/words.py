@@ -115,7 +115,7 @@ def _wedge(item: Solved, view: ChapterView) -> Iterator[Markup]:
 
 def _sliders(item: Solved, view: ChapterView) -> Iterator[Markup]:
     text = N_("The face is best at %(best)s°, where the efficiency is %(eta)s.")
-    yield view.t(text, best=view.number("alpha_best"), eta=view.number("eta_best", digits=4))
+    yield view.t(text, best=view.number("alpha_best"), eta=view.number("eta_best"))
 
 
 def _trial(item: Solved, view: ChapterView) -> Iterator[Markup]:
@@ -242,7 +242,7 @@ def _belt_drive(item: Solved, view: ChapterView) -> Iterator[Markup]:
 
 def _crank(item: Solved, view: ChapterView) -> Iterator[Markup]:
     text = N_("Friction in the three journals takes so much of the moment that the efficiency is %(eta)s.")
-    yield view.t(text, eta=view.number("eta", digits=4))
+    yield view.t(text, eta=view.number("eta"))
 
 
 _OF: dict[str, Any] = {

@@ -156,11 +156,7 @@ class DynamicsView(ChapterView):
         named = {
             name: key for name, key in (("power", "P_fr"), ("share", "P_fr_share")) if f"%({name})s" in text
         }
-        return (
-            self.t(text, **{name: self.number(key, digits=4) for name, key in named.items()})
-            if text
-            else None
-        )
+        return self.t(text, **{name: self.number(key) for name, key in named.items()}) if text else None
 
     def following(self) -> Markup:
         """How the regimes follow one another."""
@@ -316,7 +312,7 @@ class DynamicsView(ChapterView):
     def of_all(self, key: str) -> Markup:
         """A number of all regimes together, in running text."""
         table = self.table("regimes")
-        return self.page.shown(table, key, len(table) - 1, digits=4)
+        return self.page.shown(table, key, len(table) - 1)
 
     # ------------------------------------------------------------ drawings
 
@@ -340,24 +336,22 @@ class DynamicsView(ChapterView):
             text = N_(
                 "The start-up of the machine takes %(t)s s, in which the main shaft turns %(turns)s times."
             )
-            lines.append(
-                self.t(text, t=self.number("t_start", digits=4), turns=self.number("turns_start", digits=4))
-            )
+            lines.append(self.t(text, t=self.number("t_start"), turns=self.number("turns_start")))
         if self.found.steady is not None and not self.found.even:
             text = N_(
                 "In steady motion the mean angular velocity of the main shaft is %(omega)s rad/s, the coefficient of "
                 "non-uniformity %(delta)s."
             )
-            omega, delta = self.number("omega_m"), self.number("delta", digits=4)
+            omega, delta = self.number("omega_m"), self.number("delta")
             lines.append(self.t(text, omega=omega, delta=delta))
         if self.found.uniformly:
             text = N_(
                 "Under its constant moments the main shaft has the angular acceleration %(epsilon)s rad/s²."
             )
-            lines.append(self.t(text, epsilon=self.number("epsilon", digits=4)))
+            lines.append(self.t(text, epsilon=self.number("epsilon")))
         if self.found.coast is not None:
             text = N_("The run-down of the machine takes %(t)s s.")
-            lines.append(self.t(text, t=self.number("t_coast", digits=4)))
+            lines.append(self.t(text, t=self.number("t_coast")))
         joined = self.found.joined
         if joined is not None and {"start", "coast"} <= {one.name for one in joined.stretches}:
             text = N_(

@@ -228,5 +228,5 @@ class TravelView(ChapterView):
         if self.found.stops:
             text = N_("The main link stops after %(x)s m, in %(t)s s; its greatest speed is %(most)s m/s.")
         names = {"t": "t_end", "v": "v_end", "x": "way", "most": "v_max"}
-        values = {name: self.number(key, digits=4) for name, key in names.items() if f"%({name})s" in text}
+        values = {name: self.number(key) for name, key in names.items() if f"%({name})s" in text}
         return [self.t(text, **values)]

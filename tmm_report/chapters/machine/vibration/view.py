@@ -72,19 +72,19 @@ class VibrationView(ChapterView):
                 "The machine on its isolators moves with the amplitude %(amplitude)s at %(eta)s of its natural "
                 "frequency, which is %(ratio)s of that of the base."
             )
-        ratio = self.number(ratio_key(self.given), digits=3)
+        ratio = self.number(ratio_key(self.given))
         return [
             self.t(
                 text,
-                amplitude=self.measured("amplitude", digits=4),
-                eta=self.number("eta", digits=4),
+                amplitude=self.measured("amplitude"),
+                eta=self.number("eta"),
                 ratio=ratio,
             )
         ]
 
     def _concluded(self) -> Sequence[Markup]:
         """Of a free vibration; of a resonance whose amplitude something else bounds."""
-        natural = self.number("natural", digits=4)
+        natural = self.number("natural")
         if self.found.unbounded:
             text = N_(
                 "Alone the machine is in resonance without damping at %(natural)s rad/s, and its amplitude has no "
@@ -100,7 +100,7 @@ class VibrationView(ChapterView):
             "The natural frequency of the machine is %(natural)s rad/s; its free vibration dies away with the "
             "logarithmic decrement %(decrement)s."
         )
-        return [self.t(text, natural=natural, decrement=self.number("decrement", digits=4))]
+        return [self.t(text, natural=natural, decrement=self.number("decrement"))]
 
     # --- words
 

@@ -33,7 +33,7 @@ class PairView(ChapterView):
         return [{**item, "id": ("wear", item["id"])} for item in super().where(*formulas)]
 
     def worn_by(self, text: str, name: str) -> Markup:
-        depth = self.number("greatest", digits=4)
+        depth = self.number("greatest")
         return self.t(text, name=name, depth=depth, cycles=self.number("cycles"))
 
 

@@ -89,14 +89,14 @@ class Steps:
             s.eta_coupling = given.couplings.efficiency
         if given.machine is not None and given.machine.efficiency < 1:
             s.eta_out = given.machine.efficiency
-        parts: list[Expr] = [row["eta"].var(digits=4) for row in self.stages]
+        parts: list[Expr] = [row["eta"].var() for row in self.stages]
         if "eta_bearings" in s:
-            parts.append(_times(s["eta_bearings"].var(digits=4), sum(plan.pairs)))
+            parts.append(_times(s["eta_bearings"].var(), sum(plan.pairs)))
         if "eta_coupling" in s:
             count = sum(link.kind == "coupling" for link in plan.links)
-            parts.append(_times(s["eta_coupling"].var(digits=4), count))
+            parts.append(_times(s["eta_coupling"].var(), count))
         if "eta_out" in s:
-            parts.append(s["eta_out"].var(digits=4))
+            parts.append(s["eta_out"].var())
         s.eta_total = Computed(reduce(mul, parts), plan.eta)
 
     def _motor(self) -> None:
@@ -185,7 +185,7 @@ class Steps:
                 row.n = Computed(s["n_motor"].var(), found.omega[0] * RPM)
             bearing = k - 1 if received else k
             if bearing >= 0 and "eta_bearings" in s and self.plan.pairs[bearing]:
-                power = power * _times(s["eta_bearings"].var(digits=4), self.plan.pairs[bearing])
+                power = power * _times(s["eta_bearings"].var(), self.plan.pairs[bearing])
             row.P = Computed(power, float(found.power[k]))
             row.omega = PI * row.n / 30
             row.T = Computed(self._torque(row), float(found.torque[k]))
@@ -198,8 +198,8 @@ class Steps:
 
     def _eta(self, link: Link) -> Expr:
         if link.kind == "coupling":
-            return self.s["eta_coupling"].var(digits=4)
-        return self.stages[link.stage]["eta"].var(digits=4)
+            return self.s["eta_coupling"].var()
+        return self.stages[link.stage]["eta"].var()
 
     def _slower(self, before: int, link: Link) -> Expr:
         n = self.shafts[before]["n"].var(digits=5)

@@ -116,7 +116,7 @@ class PowerView(ChapterView):
 
     def reached(self) -> list[Formula]:
         told = self.formulas("v_actual")
-        return [*told, self.formula("delta_n", digits=4)] if self.knows("delta_n") else told
+        return [*told, self.formula("delta_n")] if self.knows("delta_n") else told
 
     # ------------------------------------------------------------ tables
 
@@ -223,4 +223,4 @@ class PowerView(ChapterView):
             text = N_(
                 "With the teeth chosen the speed of the machine deviates from the wanted one by %(deviation)s %%."
             )
-            yield self.t(text, deviation=self.number("delta_n", digits=3))
+            yield self.t(text, deviation=self.number("delta_n"))

@@ -159,7 +159,7 @@ class TeethView(ChapterView):
         return {
             "overlap": self.number("overlap", digits=3, scale=1e3),
             "clearance": self.number("clearance", digits=2, scale=1e6),
-            "ratio": self.number("eps_counted", digits=4),
+            "ratio": self.number("eps_counted"),
         }
 
     # ------------------------------------------------------------ the blocking contour

@@ -248,7 +248,7 @@ class TrainView(TrainTables):
         if found.single and found.runs:
             yield self.t("The ratio of the gear train is %(ratio)s.", ratio=self.sized("u"))
             if found.lossy and not found.locks:
-                yield self.t("Its efficiency is %(eta)s.", eta=self.number("eta", digits=4))
+                yield self.t("Its efficiency is %(eta)s.", eta=self.number("eta"))
             if found.locks_back:
                 yield self.t("It cannot be driven from its output: it locks itself.")
         else:
@@ -256,9 +256,9 @@ class TrainView(TrainTables):
             speeds = self.page.listed(self.rpm(name) for name in ends)
             yield self.t("The inputs and outputs of the gear train turn at %(speeds)s.", speeds=speeds)
             if found.lossy and "eta" in self.s:
-                yield self.t("Its efficiency is %(eta)s.", eta=self.number("eta", digits=4))
+                yield self.t("Its efficiency is %(eta)s.", eta=self.number("eta"))
         if self.knows("P_circulating"):
             yield self.t(
                 "Power of %(power)s circulates in the closed loop.",
-                power=self.measured("P_circulating", digits=4),
+                power=self.measured("P_circulating"),
             )

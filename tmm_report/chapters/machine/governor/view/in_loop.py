@@ -213,8 +213,8 @@ class LoopView(ChapterView):
         unstable = N_("The machine with its governor is unstable.")
         lines = [self.t(stable) if self.found.stable else Failed(self.t(unstable))]
         if self.found.stable:
-            final = self.number("final" if self.found.short else "static", "%", digits=4)
-            lines.append(self.t(text, peak=self.number("peak", digits=4), static=final))
+            final = self.number("final" if self.found.short else "static", "%")
+            lines.append(self.t(text, peak=self.number("peak"), static=final))
         if self.found.servo is None and self.found.too_heavy:
             text = N_("The sleeve alone cannot move the throttle: an indirect governor is needed.")
             lines.append(Failed(self.t(text)))

@@ -218,4 +218,4 @@ class GovernorView(ChapterView):
             "%(delta)s %%."
         )
         low, high = (self.number(f"omega_{end}") for end in ("0", "h"))
-        return [self.t(text, low=low, high=high, delta=self.number("delta", digits=4)), self.stability()]
+        return [self.t(text, low=low, high=high, delta=self.number("delta")), self.stability()]
