@@ -72,8 +72,8 @@ def _in_tex(tex: str) -> Iterator[tuple[str, int, str]]:
     line, at = 1, 0
     for row in _LINE.finditer(tex, max(tex.find("\\begin{document}"), 0)):
         line, at = line + tex.count("\n", at, row.start()), row.start()
-        for math in _MATH.findall(row[0]):
-            yield from ((one[0], line, one[1] or one[2]) for one in _IN_TEX.finditer(math))
+        for formula in _MATH.findall(row[0]):
+            yield from ((one[0], line, one[1] or one[2]) for one in _IN_TEX.finditer(formula))
         if row[0].endswith("\\hline"):
             yield from ((one[0], line, one[1]) for one in _CELL.finditer(row[0]))
 

@@ -57,6 +57,6 @@ class TransmissionView(BookView):
             return []
         worst = min(joints, key=lambda joint: self.value(f"mu_{joint}_min").value)
         fails = self.value(f"mu_{worst}_min").value < self.found.permitted
-        least, most = self.measured(f"mu_{worst}_min"), self.measured("transmission")
+        least, most = self.measured(f"mu_{worst}_min", digits=4), self.measured("transmission")
         said = self.t(bad if fails else good, joint=worst, least=least, most=most)
         return [Failed(said) if fails else said]

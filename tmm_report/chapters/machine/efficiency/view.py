@@ -39,7 +39,7 @@ class EfficiencyView(ChapterView):
             "The efficiency of the machines joined is %(eta)s, their loss coefficient %(psi)s; the module to improve "
             "first is %(first)s."
         )
-        eta, psi = (self.number(key) for key in ("eta_whole", "psi_whole"))
+        eta, psi = (self.number(key, digits=4) for key in ("eta_whole", "psi_whole"))
         return [self.t(text, eta=eta, psi=psi, first=self.named(self.found.first))]
 
     # ------------------------------------------------------------ words
@@ -51,7 +51,7 @@ class EfficiencyView(ChapterView):
 
     def eta(self, part: Part) -> Markup:
         """symbol = value."""
-        return self.page.value(self.parts.var("eta", part.row))
+        return self.page.value(self.parts.var("eta", part.row), digits=4)
 
     @property
     def series(self) -> bool:
@@ -75,7 +75,7 @@ class EfficiencyView(ChapterView):
     def groups(self) -> list[Formula]:
         """Efficiency of every group from those of its parts, the innermost first, the whole last."""
         *inner, _ = self.found.groups
-        rows = [self.parts.formula("eta", part.row, joined(part, self.parts)) for part in inner]
+        rows = [self.parts.formula("eta", part.row, joined(part, self.parts), digits=4) for part in inner]
         return [*rows, self.formula("eta_whole")]
 
     def power(self) -> list[Formula]:
@@ -88,7 +88,7 @@ class EfficiencyView(ChapterView):
         if not self.series or part not in self.found.whole.parts:
             return None
         ratio = self.s.var("eta_whole") / self.parts.var("eta", part.row)
-        return self.parts.formula("kappa", part.row, ratio)
+        return self.parts.formula("kappa", part.row, ratio, digits=4)
 
     def symbols(self) -> list[dict[str, Any]]:
         """The symbols of the table, without the index of a part."""
