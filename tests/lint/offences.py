@@ -152,6 +152,8 @@ OFFENCES = (
     Offence("another last digit", "twice", HTML, edit(HTML, _CELL.format(row=5), r"\g<1>3130,9")),
     Offence("another last digit in one formula, between rounded columns", "twice", HTML,
             edit(HTML, r'(id="formula2\.7".*?<mn data-q="E"[^>]*>)3130,6<', r"\g<1>3130,7<")),
+    Offence("1.1 and 1.09999", "twice", HTML,
+            edit(HTML, r'(<mn data-q="governor_a"[^>]*>)0,08<', r"\g<1>0,0799999<")),
     Offence("one value to other digits", "twice", HTML,
             edit(HTML, r'(<mn data-q="governor_F_0"[^>]*>)2440,9<', r"\g<1>2441<")),
     # --- drawings ---
