@@ -175,7 +175,7 @@ def _alike(one: _Reading, other: _Reading) -> bool:
     a, b = one.read, other.read
     if a.value == b.value:
         return True
-    if "td" in (one.number.node.tag, other.number.node.tag):
+    if one.number.cell or other.number.cell:
         return abs(a.value - b.value) <= (a.half + b.half) * (1 + 1e-9)
     rounded = float(f"{a.value:.{DIGITS - 1}e}")
     return math.isclose(rounded, b.value, rel_tol=1e-9) and b.half <= 50 * _unit(b.value)

@@ -38,6 +38,10 @@ def _referred(anchor: str) -> bool:
     return anchor.startswith(REFERRED) and series(anchor) is not None
 
 
+def _of_text(anchor: str) -> bool:
+    return _referred(anchor) and "-appendix" not in anchor
+
+
 def unreferenced(made: Made) -> Iterator[Problem]:
     """Figures and tables that no sentence refers to."""
     for text in _texts(made):
@@ -67,11 +71,13 @@ def late(made: Made) -> Iterator[Problem]:
 
 
 def disorder(made: Made) -> Iterator[Problem]:
-    """Figures and tables that are first referred to after ones with greater numbers, but before they stand."""
+    """Figures and tables of the text that are first referred to after ones with greater numbers, but before they stand.
+
+    Those of an appendix are numbered as they stand there, wherever the text comes to them."""
     for text in _texts(made):
         most, waiting = dict[str, tuple[int, str]](), {step.anchor for step in text.steps if step.stands}
         for step in text.steps:
-            place = series(step.anchor) if not step.stands and _referred(step.anchor) else None
+            place = series(step.anchor) if not step.stands and _of_text(step.anchor) else None
             new = step.anchor in waiting
             waiting.discard(step.anchor)
             if place is None or not new:

@@ -47,6 +47,7 @@ class Number(NamedTuple):
     by: str
     unit: str
     size: str
+    cell: bool  # it stands in a table
 
     @property
     def column(self) -> tuple[str, str, str, str]:
@@ -144,6 +145,7 @@ def _walk(page: Page) -> None:
         if _is(div, "sheet")
         for one in div.iter("figure")
     }
+    cells = {one for cell in page.root.iter("td") for one in cell.iter()}
     for node in page.root.iter():
         tag, own = node.tag, node.get("id")
         if own:
@@ -163,7 +165,7 @@ def _walk(page: Page) -> None:
                 page.pictures.append(Picture(anchor, svg, said(caption), sheets.get(id(node), "")))
         if (key := node.get("data-q")) is not None and tag != "g":
             asked = (node.get(f"data-{name}", "") for name in ("k", "t", "by", "u", "abs"))
-            page.numbers.append(Number(written(node), anchor, node, key, *asked))
+            page.numbers.append(Number(written(node), anchor, node, key, *asked, node in cells))
 
 
 def _is(node: Element, name: str) -> bool:

@@ -22,7 +22,7 @@ FAULTS = (
     Fault("the noise of a column against 1e-9 of it", ROOM + "numbers.py", "NOISE = 1e-6", "NOISE = 1e-9",
           tests=PLANTED),
     Fault("a decimal less passes anywhere", ROOM + "numbers.py",
-          'if "td" in (one.number.node.tag, other.number.node.tag):', "if True:", tests=PLANTED),
+          "if one.number.cell or other.number.cell:", "if True:", tests=PLANTED),
     Fault("one value to three digits passes", ROOM + "numbers.py", "b.half <= 50 * _unit(b.value)",
           "b.half <= 5000 * _unit(b.value)", tests=PLANTED),
     Fault("a rounded column is blamed", ROOM + "numbers.py", "return abs(a.value - b.value) <= (a.half",

@@ -85,7 +85,7 @@ class CamView(BookView):
             "Cam %(cam)s has the sizes %(sizes)s; its greatest pressure angle in the rise is %(alpha)s°, with "
             "%(limit)s° allowed, and the least radius of curvature of its profile is %(rho)s mm."
         )
-        alpha, limit = self.number("cam_alpha_rise", places=1), self.number("cam_alpha_limit", places=1)
+        alpha, limit = self.number("cam_alpha_rise", places=2), self.number("cam_alpha_limit", places=2)
         sizes = self.listed(SIZES)
         if self.straight:
             text = N_(

@@ -329,7 +329,7 @@ class DriveView(ChapterView):
             deviation=self.number("delta_u", digits=3),
         )
         if not self.found.locks:
-            yield self.t("The efficiency of the gear drive is %(eta)s.", eta=self.number("eta", digits=4))
+            yield self.t("The efficiency of the gear drive is %(eta)s.", eta=self.number("eta"))
         if self.readable:
             text = N_(
                 "By the plan of angular velocities the ratio differs from the calculated one by %(error)s %%."

@@ -125,7 +125,7 @@ class PlanetaryView(PlanetaryTables):
 
     def efficiency(self) -> Formula:
         row = self.found.motions.index(self.found.motion)
-        return self.table("motions").formula("eta", row, efficiency(self.stage), digits=4)
+        return self.table("motions").formula("eta", row, efficiency(self.stage))
 
     def transverse(self) -> list[Formula]:
         """Of helical teeth: modules, profile angle and addendum in the transverse section."""
@@ -180,7 +180,7 @@ class PlanetaryView(PlanetaryTables):
         deviation = self.number("delta_u", digits=3)
         lines = [self.t(text, name=self.title, teeth=self.chosen_teeth(), deviation=deviation)]
         lines += [self.t("Its efficiency is %(eta)s, its neighbouring satellites are %(gap)s mm apart.",
-                         eta=self.number("eta", digits=4),
+                         eta=self.number("eta"),
                          gap=self.number("gap", digits=4))]  # fmt: skip
         lines += [self.schemes.said()] if self.schemes else []
         locks = self.t("Stage %(name)s locks itself: it cannot be driven from its input.", name=self.title)

@@ -296,7 +296,7 @@ class SpurView(ChapterView):
         i = self.names.index(c.wheel)
         deep = self.found.starts[i] > float(self.pair.rho_m[i])
         keys = "rho_l", "rho_m" if deep and self.found.cut_short else "rho_p"
-        start, lower = (self.page.cell(self.sizes, key, i, places=3) for key in keys)
+        start, lower = (self.page.cell(self.sizes, key, i) for key in keys)
         values = {
             "wheel": c.wheel,
             "least": self.number("z_rule"),
@@ -351,10 +351,10 @@ class SpurView(ChapterView):
 
     def _found(self) -> Iterator[Markup]:
         said = self.page.said
-        values: dict[str, Any] = {"name": self.title, "eps": self.number("eps", digits=4)}
+        values: dict[str, Any] = {"name": self.title, "eps": self.number("eps")}
         for i in (0, 1):
             values[f"z{i + 1}"] = said(self.page.cell(self.sizes, "z", i))
-            values[f"x{i + 1}"] = said(self._shift("x", i))
+            values[f"x{i + 1}"] = said(self.page.cell(self.sizes, "x", i))
         text = N_(
             "The gear pair %(name)s has %(z1)s and %(z2)s teeth, the shifts %(x1)s and %(x2)s and the contact "
             "ratio %(eps)s."
@@ -376,8 +376,8 @@ class SpurView(ChapterView):
         )
         yield self.t(
             text,
-            speed=self.number("v_pitch", digits=4),
-            sliding=shown(self.judged, "value", row, digits=4),
-            limit=shown(self.judged, "limit", row, digits=4),
-            velocity=shown(self.moving.velocities_of, "v_sl", self.moving.row, size=True, digits=4),
+            speed=self.number("v_pitch"),
+            sliding=shown(self.judged, "value", row),
+            limit=shown(self.judged, "limit", row),
+            velocity=shown(self.moving.velocities_of, "v_sl", self.moving.row, size=True),
         )

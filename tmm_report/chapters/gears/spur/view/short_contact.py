@@ -19,9 +19,7 @@ def reasons(view: SpurView) -> list[Markup]:
 
 
 def _reason(view: SpurView, i: int) -> Markup:
-    start, lower, real = (
-        view.page.shown(view.sizes, key, i, places=3) for key in ("rho_l", "rho_m", "rho_p")
-    )
+    start, lower, real = (view.page.shown(view.sizes, key, i) for key in ("rho_l", "rho_m", "rho_p"))
     names = {"wheel": view.names[i], "other": view.names[1 - i]}
     if not np.isclose(view.found.starts[i], float(view.pair.rho_p[i]), rtol=1e-9):
         return view.t(POINTED, **names, real=real, lower=lower)
