@@ -164,8 +164,11 @@ def _walk(page: Page) -> None:
             if svg is not None:
                 page.pictures.append(Picture(anchor, svg, said(caption), sheets.get(id(node), "")))
         if (key := node.get("data-q")) is not None and tag != "g":
-            asked = (node.get(f"data-{name}", "") for name in ("k", "t", "by", "u", "abs"))
-            page.numbers.append(Number(written(node), anchor, node, key, *asked, node in cells))
+            row, table, by, unit, size = (
+                node.get(f"data-{name}", "") for name in ("k", "t", "by", "u", "abs")
+            )
+            inside = node in cells
+            page.numbers.append(Number(written(node), anchor, node, key, row, table, by, unit, size, inside))
 
 
 def _is(node: Element, name: str) -> bool:

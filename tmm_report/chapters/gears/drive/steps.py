@@ -153,9 +153,9 @@ class Whole:
 
     # ------------------------------------------------------------ ratio, efficiency
 
-    def _over_stages(self, key: str, digits: int | None = None) -> Expr:
+    def _over_stages(self, key: str) -> Expr:
         """The product over the stages."""
-        factors: Sequence[Expr] = [row[key].var(digits=digits) for row in self.stages]
+        factors: Sequence[Expr] = [row[key].var() for row in self.stages]
         return reduce(mul, factors)
 
     def _ratios(self) -> None:
