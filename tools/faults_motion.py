@@ -228,7 +228,7 @@ FAULTS = (
     Fault("half the slope of the moment of inertia lost in the equation", MECHANICS + "machine/run/steady.py",
           "(self.moment - plant.slope * self.omega**2 / 2)", "(self.moment - plant.slope * self.omega**2)",
           "piston_pump", MOTION),
-    Fault("the coefficient of non-uniformity by the greatest speed", MECHANICS + "machine/run/steady.py",
+    Fault("the coefficient of speed fluctuation by the greatest speed", MECHANICS + "machine/run/steady.py",
           "- self.extremes[0][0]) / self.mean", "- self.extremes[0][0]) / self.extremes[1][0]", "piston_pump",
           TABLES),
     Fault("the excess moment in the place of the resisting one", DYNAMICS + "quantities.py",

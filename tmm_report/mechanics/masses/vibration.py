@@ -224,7 +224,7 @@ def share_clear(natural: float, omega: float, apart: tuple[float, float]) -> flo
 
 
 def tuned(main: Body, mu: float, omega: float) -> Body:
-    """An absorber without damping whose own frequency is ω: there the main mass stands still."""
+    """An absorber without damping whose natural frequency is ω: there the main mass stands still."""
     mass = mu * main.inertia
     return Body(mass, mass * omega**2)
 

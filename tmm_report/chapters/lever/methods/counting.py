@@ -28,7 +28,7 @@ MEANINGS = {
     "work": N_("work of the loads over the cycle"),
     "inertia_mean": N_("mean reduced moment of inertia"),
     "inertia": N_("least and greatest reduced moment of inertia"),
-    "unevenness": N_("coefficient of non-uniformity with a flywheel by Mertsalov"),
+    "unevenness": N_("coefficient of speed fluctuation with a flywheel by Mertsalov"),
 }
 """Key of an error -> what it is of."""
 

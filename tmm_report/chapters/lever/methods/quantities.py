@@ -70,7 +70,9 @@ TAKEN_FROM = _by_key(
     _error("work", "A", N_("error of the work of the loads over the cycle")),
     _error("inertia_mean", NP_("index", "mean"), N_("error of the mean of the reduced moment of inertia")),
     _error("inertia", "I", N_("error of the extremes of the reduced moment of inertia")),
-    _error("unevenness", "delta", N_("error of the coefficient of non-uniformity, and so of the flywheel")),
+    _error(
+        "unevenness", "delta", N_("error of the coefficient of speed fluctuation, and so of the flywheel")
+    ),
 )
 ADMITTED = Quantity(
     "counts_accuracy",

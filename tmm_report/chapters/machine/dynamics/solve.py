@@ -198,7 +198,7 @@ class Found:
             yield Message(text, self._said(omega="omega_m"))
         elif self.steady is not None:
             text = N_(
-                "machine in motion: mean speed %(omega)s rad/s, coefficient of non-uniformity %(delta)s"
+                "machine in motion: mean speed %(omega)s rad/s, coefficient of speed fluctuation %(delta)s"
             )
             yield Message(text, self._said(omega="omega_m", delta="delta"))
         if self.uniformly:

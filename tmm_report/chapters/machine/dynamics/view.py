@@ -340,7 +340,7 @@ class DynamicsView(ChapterView):
         if self.found.steady is not None and not self.found.even:
             text = N_(
                 "In steady motion the mean angular velocity of the main shaft is %(omega)s rad/s, the coefficient of "
-                "non-uniformity %(delta)s."
+                "speed fluctuation %(delta)s."
             )
             omega, delta = self.number("omega_m"), self.number("delta")
             lines.append(self.t(text, omega=omega, delta=delta))

@@ -256,7 +256,7 @@ class Flywheel:
     ] = None
     delta: Annotated[
         Annotated[float, Reads(_delta, _FRACTION)] | None,
-        Field(description="coefficient of non-uniformity", examples=["1/30"]),
+        Field(description="coefficient of speed fluctuation", examples=["1/30"]),
     ] = None
     speeds: Annotated[
         tuple[Speed, Speed] | None,

@@ -23,7 +23,7 @@ WORDS = (
 
 
 class Values(Sheet, prefix="flywheel"):
-    delta = Q("delta", "", N_("coefficient of non-uniformity"))
+    delta = Q("delta", "", N_("coefficient of speed fluctuation"))
     delta_fine = Q(None, "", N_("the least coefficient usual for machines of the kind"))
     delta_coarse = Q(None, "", N_("the greatest coefficient usual for machines of the kind"))
     omega_m = Q("omega_mean", "rad/s", N_("mean angular velocity of the main link"))
@@ -65,10 +65,12 @@ class Values(Sheet, prefix="flywheel"):
     ab = Q(segment("ab"), "mm", N_("segment between the tangents on the axis of energies"))
     J_fl = Q("J_fl", "kg·m²", N_("moment of inertia of the flywheel, reduced to the main link"))
     delta_est = Q(
-        "delta_est", "", N_("coefficient of non-uniformity by the estimate with a constant moment of inertia")
+        "delta_est",
+        "",
+        N_("coefficient of speed fluctuation by the estimate with a constant moment of inertia"),
     )
-    delta_0 = Q("delta_0", "", N_("coefficient of non-uniformity without a flywheel"))
-    delta_run = Q(None, "", N_("coefficient of non-uniformity measured in the motion integrated"))
+    delta_0 = Q("delta_0", "", N_("coefficient of speed fluctuation without a flywheel"))
+    delta_run = Q(None, "", N_("coefficient of speed fluctuation measured in the motion integrated"))
     closure = Q(None, "", N_("relative difference of the speeds at both ends of the cycle"))
     eps_max = Q("epsilon_max", "rad/s²", N_("greatest angular acceleration"))
     eps_min = Q("epsilon_min", "rad/s²", N_("least angular acceleration"))

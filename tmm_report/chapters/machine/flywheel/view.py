@@ -346,14 +346,17 @@ class FlywheelView(ChapterView):
         found = self.found
         if found.needless:
             text = N_(
-                "The machine needs no flywheel: without one its coefficient of non-uniformity is %(delta)s."
+                "The machine needs no flywheel: without one its coefficient of speed fluctuation is %(delta)s."
             )
             return [self.t(text, delta=self.number("delta_0", digits=4))]
-        text = N_("A flywheel of %(J)s kg·m² leaves the machine the coefficient of non-uniformity %(delta)s.")
+        text = N_(
+            "A flywheel of %(J)s kg·m² leaves the machine the coefficient of speed fluctuation %(delta)s."
+        )
         if "J_shaft" in self.s and self.s.number("i") != 1:
             text = N_(
                 "A flywheel of %(own)s kg·m² on its own shaft, with the ratio %(ratio)s to the main link, is one of "
-                "%(J)s kg·m² reduced to that link and leaves the machine the coefficient of non-uniformity %(delta)s."
+                "%(J)s kg·m² reduced to that link and leaves the machine the coefficient of speed fluctuation "
+                "%(delta)s."
             )
         form = {"own": "J_shaft", "ratio": "i", "J": "J_fl"}
         numbers = {name: self.number(key) for name, key in form.items() if f"%({name})s" in text}

@@ -35,7 +35,7 @@ def tables(found: Found) -> Iterator[Table]:
         "response", N_("response of the machine at other frequencies of the excitation"), _response(found)
     )
     yield _table("dampings", N_("the same isolators with other dampings"), _dampings(found))
-    text = N_("dynamic coefficient, lag and force ratio against the frequency, by damping ratio")
+    text = N_("magnification factor, lag and transmissibility against the frequency, by damping ratio")
     yield _table("curves", text, _curves(found))
     if found.shaking is None and not found.unbounded:
         yield _table("motion", N_("motion of the machine from the start"), _motion(found))
@@ -44,7 +44,7 @@ def tables(found: Found) -> Iterator[Table]:
         yield _table("turn", N_("shaking force, motion and force on the base over a turn"), _turn(found))
     if found.absorbed is not None:
         yield _table("absorbers", N_("absorbers on the machine"), _absorbers(found))
-        text = N_("dynamic coefficient of the machine with each absorber against the frequency")
+        text = N_("magnification factor of the machine with each absorber against the frequency")
         yield _table("absorbed", text, _absorbed(found))
 
 
@@ -100,9 +100,9 @@ def _dampings(found: Found) -> Iterator[Column]:
 POINTS = 401  # of a curve against the frequency
 SPAN = 3.0  # ω/ω0 that the curves reach at least
 LINES = (
-    ("beta", "beta", "", N_("dynamic coefficient at the damping ratio %(zeta)s"), vib.magnification),
+    ("beta", "beta", "", N_("magnification factor at the damping ratio %(zeta)s"), vib.magnification),
     ("lag", "psi", "rad", N_("lag at the damping ratio %(zeta)s"), vib.lag),
-    ("ratio", "gamma", "", N_("force ratio at the damping ratio %(zeta)s"), vib.transmissibility),
+    ("ratio", "gamma", "", N_("transmissibility at the damping ratio %(zeta)s"), vib.transmissibility),
 )
 
 
@@ -179,7 +179,7 @@ def _absorbers(found: Found) -> Iterator[Column]:
     yield found.s.column("beta_peak", [one.beta for one in rows])
 
 
-WITH = N_("dynamic coefficient of the machine, absorber: %(kind)s")
+WITH = N_("magnification factor of the machine, absorber: %(kind)s")
 
 
 def _absorbed(found: Found) -> Iterator[Column]:

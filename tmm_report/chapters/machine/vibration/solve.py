@@ -144,11 +144,12 @@ class Found:
             yield Message(text, {"natural": f"{self.natural:.4g}"})
             return
         text = N_(
-            "vibration: natural frequency %(natural)s rad/s, amplitude %(amplitude)s mm, force ratio %(ratio)s"
+            "vibration: natural frequency %(natural)s rad/s, amplitude %(amplitude)s mm, transmissibility %(ratio)s"
         )
         if self.given.turning:
             text = N_(
-                "vibration: natural frequency %(natural)s rad/s, amplitude %(amplitude)s rad, force ratio %(ratio)s"
+                "vibration: natural frequency %(natural)s rad/s, amplitude %(amplitude)s rad, "
+                "transmissibility %(ratio)s"
             )
         size = self.s["amplitude"].number("" if self.given.turning else "mm")
         ratio = self.s.number(ratio_key(self.given))

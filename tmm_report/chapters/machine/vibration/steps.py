@@ -25,7 +25,7 @@ G = 9.81  # m/s², of the static deflection
 
 
 def isolators(given: Given, omega: float, shaken: bool) -> Values:
-    """The machine on all its isolators; a stiffness that is not stated is what the wanted force ratio asks for."""
+    """The machine on all its isolators; a stiffness that is not stated is what the wanted transmissibility asks for."""
     arm = given.absorber.arm if given.absorber else None
     s = sheet(given.turning, given.base is not None, shaken or given.unbalance is not None, arm is not None)
     s.inertia, s.isolators = given.inertia, given.isolators
@@ -56,7 +56,7 @@ def isolators(given: Given, omega: float, shaken: bool) -> Values:
 
 
 def _chosen(s: Values) -> None:
-    """The stiffness that the wanted force ratio asks for; it stands alone or beside a stated one."""
+    """The stiffness that the wanted transmissibility asks for; it stands alone or beside a stated one."""
     free = 1 - s.wanted**2
     s.half = s.wanted**2 + 2 * s.zeta**2 * free
     s.needed = sqrt(s.half + sqrt(s.half**2 + s.wanted**2 * free)) / s.wanted
@@ -157,8 +157,8 @@ def _lag(s: Values, eta: float, moving_base: bool) -> Expr:
 
 
 def peak(s: Values, grows: bool) -> None:
-    """Where the dynamic coefficient is greatest, and where the amplitude under a force that grows with ω²: the greatest
-    of η²β(η). (Den Hartog, 2.11)"""
+    """Where the magnification factor is greatest, and where the amplitude under a force that grows with ω²: the
+    greatest of η²β(η). (Den Hartog, 2.11)"""
     if not 0 < s.number("zeta") < 2**-0.5:
         return
     s.eta_peak = sqrt(1 - 2 * s.zeta**2)
@@ -175,7 +175,7 @@ def from_start(s: Values) -> None:
 
 
 def wanted(s: Values) -> None:
-    """What the wanted force ratio asks for beside a stated stiffness: another one, or less damping."""
+    """What the wanted transmissibility asks for beside a stated stiffness: another one, or less damping."""
     if "needed" not in s:
         _chosen(s)
     eta, most = s.number("eta"), float(vib.zeta_for(s.number("wanted"), s.number("eta")))

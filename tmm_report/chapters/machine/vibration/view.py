@@ -25,7 +25,7 @@ from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table, numeric, worded
 from tmm_report.report.part import Part
 
-HIGHEST = 6.0  # of a drawn dynamic coefficient: a resonance without damping goes on to infinity
+HIGHEST = 6.0  # of a drawn magnification factor: a resonance without damping goes on to infinity
 KINDS = {
     "tuned": N_("tuned, without damping"),
     "best": N_("with the best damping"),
@@ -60,27 +60,37 @@ class VibrationView(ChapterView):
             return self._concluded()
         text = N_(
             "The machine on its isolators moves with the amplitude %(amplitude)s at %(eta)s of its natural frequency; "
-            "the force ratio is %(ratio)s."
+            "the transmissibility is %(ratio)s."
         )
         if self.given.turning:
             text = N_(
                 "The disc on its shaft swings with the amplitude %(amplitude)s at %(eta)s of its natural frequency; "
-                "the force ratio is %(ratio)s."
+                "the transmissibility is %(ratio)s."
             )
         if self.given.base is not None:
             text = N_(
                 "The machine on its isolators moves with the amplitude %(amplitude)s at %(eta)s of its natural "
                 "frequency, which is %(ratio)s of that of the base."
             )
-        ratio = self.number(ratio_key(self.given))
-        return [
+        said = [
             self.t(
                 text,
                 amplitude=self.measured("amplitude"),
                 eta=self.number("eta"),
-                ratio=ratio,
+                ratio=self.number(ratio_key(self.given)),
             )
         ]
+        if self.s.has_formula("stiffness_each") and self.given.stiffness is None and not self.given.turning:
+            text = N_("One isolator has the stiffness %(stiffness)s.")
+            said.append(self.t(text, stiffness=self.measured("stiffness_each")))
+        if self.found.absorbed is not None and not self.given.turning:
+            text = N_(
+                "A dynamic vibration absorber of %(mass)s on springs of %(stiffness)s would bring the machine to rest "
+                "at the frequency of the force; it would itself swing with the amplitude %(swing)s."
+            )
+            keys = {"mass": "absorber", "stiffness": "absorber_stiffness", "swing": "absorber_swing"}
+            said.append(self.t(text, **{name: self.measured(key) for name, key in keys.items()}))
+        return [self.page.listed(said, " ")]
 
     def _concluded(self) -> Sequence[Markup]:
         """Of a free vibration; of a resonance whose amplitude something else bounds."""
@@ -190,7 +200,7 @@ class VibrationView(ChapterView):
 
     @cached_property
     def curves(self) -> Graph:
-        """Dynamic coefficient, lag and force ratio against ω/ω0, by damping ratio."""
+        """Magnification factor, lag and transmissibility against ω/ω0, by damping ratio."""
         ratio = ratio_key(self.given)
         of = ["ratio"] if self.given.base is not None else ["beta", "lag", "ratio"]
         lines = [
@@ -221,7 +231,7 @@ class VibrationView(ChapterView):
 
     @cached_property
     def absorbed(self) -> Graph:
-        """Dynamic coefficient with each absorber."""
+        """Magnification factor with each absorber."""
         names = {"beta": self.t("without an absorber")}
         names |= {f"beta_{k}": self.t(text) for k, text in enumerate(KINDS.values(), 1)}
         lines = [Line(self.of("absorbed", key), str(name), most=HIGHEST) for key, name in names.items()]

@@ -11,7 +11,7 @@ from tmm_report.quantity.ways import AXIS, COUNTED, NAME, STATED, Known, Way
 
 RESPONSE = N_(
     "By the closed form of the response of a machine on springs: β = 1/√((1 − η²)² + 4ζ²η²), "
-    "lag and force ratio from the same."
+    "lag and transmissibility from the same."
 )
 MOTION = N_("The free motion that fits the state at the start, and the forced one.")
 SHAKEN = N_(
@@ -33,7 +33,7 @@ RESONANCE = N_(
 )
 DAMPED = N_("ω₀√(1 − ζ²).")
 ZETA = N_("By the damping: n/ω₀; or stated.")
-SEARCH = N_("The damping at which the force ratio at this stiffness is the wanted one.")
+SEARCH = N_("The damping at which the transmissibility at this stiffness is the wanted one.")
 WHOLE = N_("Stated of one isolator, or of all of them by their number.")
 HUNG = N_("Stated of the absorber, or by its ratio to the mass of the machine.")
 

@@ -96,7 +96,7 @@ class Steady:
 
     @property
     def delta(self) -> float:
-        """Coefficient of non-uniformity of the motion."""
+        """Coefficient of speed fluctuation of the motion."""
         return (self.extremes[1][0] - self.extremes[0][0]) / self.mean
 
     @cached_property

@@ -21,7 +21,7 @@ from tmm_report.problems import N_
 from tmm_report.quantity.model import Quantity
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.diagrams import Line, chart, named
-from tmm_report.report.page import Page
+from tmm_report.report.page import ROUNDING, Page
 from tmm_report.report.paper.layout import Column, Table, numeric, worded
 from tmm_report.report.part import Failed
 
@@ -213,8 +213,16 @@ class LoopView(ChapterView):
         unstable = N_("The machine with its governor is unstable.")
         lines = [self.t(stable) if self.found.stable else Failed(self.t(unstable))]
         if self.found.stable:
-            final = self.number("final" if self.found.short else "static", "%")
-            lines.append(self.t(text, peak=self.number("peak"), static=final))
+            key = "final" if self.found.short else "static"
+            peak = self.number("peak")
+            if abs(self.s.number(key)) < ROUNDING:
+                text = N_(
+                    "After the step of the load the speed of the machine deviates by %(peak)s %% at most and returns "
+                    "to what it was."
+                )
+                lines.append(self.t(text, peak=peak))
+            else:
+                lines.append(self.t(text, peak=peak, static=self.number(key, "%")))
         if self.found.servo is None and self.found.too_heavy:
             text = N_("The sleeve alone cannot move the throttle: an indirect governor is needed.")
             lines.append(Failed(self.t(text)))

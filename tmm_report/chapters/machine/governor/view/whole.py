@@ -17,13 +17,13 @@ from tmm_report.chapters.machine.governor.values import Values
 from tmm_report.chapters.machine.governor.view.brake import BrakeView
 from tmm_report.chapters.machine.governor.view.in_loop import LoopView, axis
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.lettering import Symbol
 from tmm_report.mechanics.machine.governor.equilibrium import Arms, BellCrank
 from tmm_report.problems import N_
 from tmm_report.quantity import model
 from tmm_report.quantity.formula import Formula
+from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.chapter_view import ChapterView
-from tmm_report.report.diagrams import scale_of
+from tmm_report.report.diagrams import named, scale_of
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Table, numeric
 from tmm_report.report.part import Part
@@ -123,8 +123,8 @@ class GovernorView(ChapterView):
         return [key for key in GIVEN if self.s.get(key)]
 
     def explained_given(self) -> list[dict[str, Any]]:
-        """Of the given numbers, and of the others that no formula explains."""
-        return self.explained(*self._given())
+        """Of the given numbers: formulas explain the others."""
+        return self.explained(*(key for key in self._given() if not self.s.has_formula(key)))
 
     def wanted(self) -> Markup:
         """The speeds that were asked for."""
@@ -197,7 +197,7 @@ class GovernorView(ChapterView):
         words = N_("equilibrium"), N_("the sleeve begins to sink"), N_("the sleeve begins to rise")
         names = [str(self.t(word)) for word in words]
         lift = self.of("curve", "z")
-        axes = axis(self.page, lift.quantity), (Symbol("n", "g"), f", {self.page.unit('rpm')}")
+        axes = axis(self.page, lift.quantity), named(Symbol("n", "g"), "rpm", self.page.tr)
         return charts.speeds(self.direct, lift, axes, self._num, names)
 
     @cached_property
