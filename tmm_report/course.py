@@ -154,6 +154,7 @@ class Variant:
     eccentric: eccentric.Given | None = None
     title: Title = field(default_factory=Title)
     assignment: Assignment | None = None  # its sheet behind the title page
+    template: tuple[bytes, str] | None = None  # the department's own, and its file
     note: Note = field(default_factory=Note)
     profile: Profile | None = None  # how the note looks on paper; None: as the standard has it
     language: str = DEFAULT  # a code of the table of languages

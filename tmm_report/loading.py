@@ -39,7 +39,8 @@ def loads(text: str | bytes, file: str = "", department: Department | None = Non
         document = yamlread.loads(text, file, soft)
         if department is not None:
             document = under(document, _sound(department), department.file)
-        return _variant(document, file, soft)
+        made = _variant(document, file, soft)
+        return replace(made, template=department.template) if department and department.template else made
     except ProblemError as error:
         language = stated_in(text) or stated_in(department.text if department else "")
         raise ProblemError(error.problems, language) from None

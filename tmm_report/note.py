@@ -37,6 +37,7 @@ def render(results: Results, fmt: str, tr: Translator, depth: Depth | None = Non
         note,
         results.variant.profile,
         results.variant.assignment,
+        results.variant.template,
     )
 
 

@@ -117,6 +117,12 @@ def test_what_only_the_two_together_do_wrong_is_told_where_it_was_stated_last(fo
     assert "a.yaml:8:11: profile.margins: " in told(folder / "a.yaml")
 
 
+def test_a_key_of_the_department_that_the_variant_makes_wrong_is_told_in_the_departments_file(folder):
+    (folder / "department.yaml").write_text("note:\n  omit: [flywheel]\n", encoding="utf-8")
+    (folder / "a.yaml").write_text(FOUR_BAR + "note: {body: [flywheel]}\n", encoding="utf-8")
+    assert "department.yaml:2:10: note.omit" in told(folder / "a.yaml")
+
+
 def test_two_files_or_a_link_are_refused(folder):
     (folder / "кафедра.yaml").write_text(STATED, encoding="utf-8")
     assert "department.yaml, кафедра.yaml" in told(folder / "a.yaml")

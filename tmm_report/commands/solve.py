@@ -55,7 +55,7 @@ def run(
         files |= combinations(results, language)
     no_pdf = _add_pdf(results, language, files, talk) if pdf else []
     no_pdf += _add_print(results, language, files, talk) if print_it else []
-    changed = _put(folder, files, digest(__version__, text, department.text if department else b""))
+    changed = _put(folder, files, digest(__version__, text, department.told if department else b""))
     good = summary(results, talk)
     _control(files, folder, talk)
     talk.tell(written(*(folder / name for name in _shown(files))))

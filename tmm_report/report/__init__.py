@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from base64 import b64encode
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
@@ -23,6 +23,9 @@ from tmm_report.report.paper.punctuation import joined
 from tmm_report.report.part import WHOLE, Failed, Note, Part, Title
 from tmm_report.resources import data_root
 
+if TYPE_CHECKING:
+    from tmm_report.report.own import Own
+
 FORMATS: dict[str, Callable[[], Html | Tex]] = {"html": lambda: Html(breaking=True), "tex": Tex, "png": Png}
 
 
@@ -35,25 +38,43 @@ def render(
     note: Note = WHOLE,
     profile: Profile | None = None,
     assignment: object = None,
+    template_of: tuple[bytes, str] | None = None,
 ) -> dict[str, bytes]:
     """File name -> content: "note.html" alone, "note.tex" with the figures it reads, or the figures as pictures.
 
     `undone`: what was asked and is not in the note; the conclusions begin with it. `note`: how much it says;
-    `profile`: how it looks on paper; `assignment`: its sheet, as the template of the title page knows it.
+    `profile`: how it looks on paper; `assignment`: its sheet, as its template knows it;
+    `template_of`: a department's own template and the name of its file.
     """
     page = Page(FORMATS[fmt](), tr, Numbering(), note, profile)
     parts = make(page)
     given = {**_given(title, page), "assignment": assignment}
-    text = _written(given, parts, page, undone)
+    own = _own(template_of) if template_of else None
+    text = _written(given, parts, page, undone, own)
     return page.form.files if fmt == "png" else {f"note.{fmt}": text.encode(), **page.form.files}
 
 
-def _written(given: Mapping[str, Any], parts: Sequence[Part], page: Page, undone: Sequence[Message]) -> str:
+def _own(template_of: tuple[bytes, str]) -> Own:
+    from tmm_report.report.own import Own  # most departments have none
+
+    return Own(*template_of)
+
+
+def _written(
+    given: Mapping[str, Any],
+    parts: Sequence[Part],
+    page: Page,
+    undone: Sequence[Message],
+    own: Own | None = None,
+) -> str:
     fmt = page.form.name
     given = {**given, "m": template(f"macros.{fmt}.j2").make_module(dict(given))}
 
     def chapter(name: str, **more: Any) -> Markup:
-        return Markup(template(f"chapters/{name}.j2").render(given, **more))
+        def ours() -> Markup:
+            return Markup(template(f"chapters/{name}.j2").render(given, **more))
+
+        return own.written(name, given, ours) if own and own.states(name) else ours()
 
     body = [chapter(part.template, view=part.view) for part in parts]
     left_out, concluded = list(map(page.message, undone)), _conclusions(parts)
@@ -68,9 +89,9 @@ def _written(given: Mapping[str, Any], parts: Sequence[Part], page: Page, undone
     listed = [chapter("symbols")] if page.note.listed else []
     body = [*listed, chapter("introduction", failed=failed), *body]
     page.numbering.end_front()
-    head = chapter("title")
+    head = chapter("title") + (chapter("assignment") if given["assignment"] else "")
     text = template(f"report.{fmt}.j2").render(given, head=head, body=body, **_own_files(fmt))
-    text = page.numbering.resolved(text, page.note.whole)
+    text = page.numbering.resolved(text, page.note.whole and own is None)
     return joined(text, fmt, page.called("where"), page.called("here"), page.profile.dash_sign)
 
 

@@ -18,32 +18,48 @@ from tmm_report.records import dataclass
 from tmm_report.yamlread import Document, OfFile
 
 NAMES = ("department.yaml", "кафедра.yaml")
+TEMPLATES = ("department.j2", "кафедра.j2")
+LARGEST = 32 * 1024  # bytes of a template
 KEYS = ("title", "assignment", "note", "profile", "drawing", "language", "decimal_sign")
 
 
 @dataclass(frozen=True)
 class Department:
-    """The text of its file, and how messages name that."""
+    """The text of its file, and how messages name that; the text and the name of its template, where it has one."""
 
     text: bytes
     file: str
+    template: tuple[bytes, str] | None = None
+
+    @property
+    def told(self) -> bytes:
+        """All that a note depends on."""
+        return self.text + (self.template[0] if self.template else b"")
 
 
 def beside(variant: str | os.PathLike[str]) -> Department | None:
     """The department's file in the folder of a variant; None: it has none. Raises ProblemError for one that cannot be
     read, or for two."""
-    folder = Path(os.fspath(variant)).parent
-    found = [folder / name for name in NAMES if os.path.lexists(folder / name)]
+    path = Path(os.fspath(variant))
+    text, template = _one(path.parent, NAMES, yamlread.BYTES), _one(path.parent, TEMPLATES, LARGEST)
+    if path.name in NAMES or (text is None and template is None):
+        return None
+    return Department(*(text or (b"", "")), template)
+
+
+def _one(folder: Path, names: tuple[str, ...], largest: int) -> tuple[bytes, str] | None:
+    """The text of the one file of these names, and how messages name it."""
+    found = [folder / name for name in names if os.path.lexists(folder / name)]
     if len(found) > 1:
         right = Message(N_("keep one of them"))
         wrong = mistake(
-            N_("two files state what the department wants: %(files)s"), right=right, files=", ".join(NAMES)
+            N_("two files state what the department wants: %(files)s"), right=right, files=", ".join(names)
         )
         raise ProblemError([replace(wrong, file=yamlread.file_label(folder))])
-    if not found or Path(os.fspath(variant)).name in NAMES:
+    if not found:
         return None
     label = yamlread.file_label(found[0])
-    return Department(yamlread.opened(found[0], label, yamlread.BYTES), label)
+    return yamlread.opened(found[0], label, largest), label
 
 
 def is_one(name: str) -> bool:
@@ -53,6 +69,8 @@ def is_one(name: str) -> bool:
 
 def read(department: Department) -> Document:
     """Its file as data with places. Raises ProblemError for what is no YAML, and for keys that are a variant's own."""
+    if not department.text.strip():
+        return Document({})
     document = yamlread.loads(department.text, department.file)
     if not isinstance(document.data, dict):
         wrong = mistake(N_("keys with values are expected here"))

@@ -6,6 +6,7 @@ PROFILES = ("tests/report/test_profiles.py",)
 PRINT = ("tests/commands/test_printing.py",)
 FRONT = ("tests/report/test_front_matter.py",)
 DEPARTMENT = ("tests/batches/test_department.py",)
+OWN = ("tests/report/test_own_template.py",)
 FAULTS = (
     Fault("a binding margin of the print that is not the profile's", "templates/profile.css.j2",
           "{{ p.margins.bottom }}mm {{ p.margins.left }}mm", "{{ p.margins.bottom }}mm {{ p.margins.left - 5 }}mm",
@@ -38,4 +39,14 @@ FAULTS = (
           "found = [source for source in found if source not in stated.values()]", "pass", tests=DEPARTMENT),
     Fault("a batch that leaves its department out", "tmm_report/commands/batch/work.py",
           "loads(task.content, task.label, task.department)", "loads(task.content, task.label)", tests=DEPARTMENT),
+    Fault("markup of a department's template in the note", "tmm_report/report/own/shut.py",
+          "if isinstance(one, nodes.TemplateData) else one", "if False else one", tests=OWN),
+    Fault("loops of a department's template without an end", "tmm_report/report/own/shut.py",
+          'loop.iter = _called("counted", [loop.iter], loop.lineno)', "pass", tests=OWN),
+    Fault("the inside of a text for a department's template", "tmm_report/report/own/shut.py",
+          "return attr in OF_TEXT", "return True", tests=OWN),
+    Fault("a department's block that is left out", "tmm_report/report/__init__.py",
+          "own.written(name, given, ours) if own and own.states(name) else ours()", "ours()", tests=OWN),
+    Fault("a mistake of a department's template without its line", "tmm_report/report/own/__init__.py",
+          "line = self.template.get_corresponding_lineno(trace.tb_lineno)", "line = 1", tests=OWN),
 )  # fmt: skip

@@ -65,7 +65,7 @@ def _keyed(tasks: Iterable[Task], options: Sequence[str]) -> Iterator[Task]:
 
 
 def _text(task: Task) -> bytes:
-    return task.department.text if task.department else b""
+    return task.department.told if task.department else b""
 
 
 def _folder(id: str) -> str:
@@ -88,9 +88,10 @@ def _from_places(places: Sequence[str]) -> Given:
         )
 
     def department(source: Source) -> Department | None:
-        if (own := stated.get(_place(source))) is not None:
-            return Department(own.read(), own.label)
-        return beside(Path(source.place, source.name)) if source.member is None else None
+        if source.member is None:
+            return beside(Path(source.place, source.name))
+        own = stated.get(_place(source))
+        return Department(own.read(), own.label) if own else None
 
     def read(number: int, source: Source) -> Task:
         try:
