@@ -107,6 +107,13 @@ PIECES: dict[str, Piece] = {
         N_("velocities by the diagrams of a drive against calculation"), course="appendix"
     ),
     "drive.meshes": Piece(N_("flow of the power through the meshes of a drive"), course="appendix"),
+    "eccentric.proof": Piece(
+        N_("drawn teeth of an eccentric mechanism turned over a pitch"), course="appendix"
+    ),
+    "eccentric.paths": Piece(
+        N_("paths of points of the output wheel of an eccentric mechanism"), course="appendix"
+    ),
+    "eccentric.masses": Piece(N_("masses of the planet gears of an eccentric mechanism"), course="appendix"),
     "train.solutions": Piece(N_("solutions for the teeth of a train beyond the best few"), course="appendix"),
     "train.speeds": Piece(N_("angular velocities of a train that are found as others are"), course="omit"),
     "train.diagrams": Piece(N_("how the diagrams of velocities of a train are drawn")),

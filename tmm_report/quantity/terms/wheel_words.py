@@ -9,18 +9,18 @@ from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.symbols import Symbol, math_symbol
 
 DIAMETERS = {
-    "d": N_("pitch diameter"),
+    "d": N_("reference diameter"),
     "d_b": N_("base diameter"),
-    "d_w": N_("working diameter"),
+    "d_w": N_("working pitch diameter"),
     "d_f": N_("root diameter"),
     "d_a": N_("tip diameter"),
 }
 TEETH = {
-    "height": N_("height of the teeth"),
-    "s": N_("thickness on the pitch circle"),
-    "s_b": N_("thickness on the base circle"),
-    "s_w": N_("thickness on the working circle"),
-    "s_a": N_("thickness on the tip circle"),
+    "height": N_("tooth depth"),
+    "s": N_("tooth thickness on the reference circle"),
+    "s_b": N_("tooth thickness on the base circle"),
+    "s_w": N_("tooth thickness on the working pitch circle"),
+    "s_a": N_("tooth thickness on the tip circle"),
 }
 OWN_SYMBOLS = {"height": Symbol("h")}  # that are not the keys
 

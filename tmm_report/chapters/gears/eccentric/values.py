@@ -21,7 +21,7 @@ COEFFICIENT = N_("coefficient %(name)s of the equation of the teeth")
 EUCLID = N_("coefficient %(name)s of the extended algorithm of Euclid")
 DIVIDED = N_("coefficient %(name)s divided by the greatest common divisor")
 PARTICULAR = N_("teeth of wheel %(wheel)s in the particular solution")
-FREE = N_("free distance between the tip circles of satellites %(pair)s")
+FREE = N_("free distance between the tip circles of planet gears %(pair)s")
 LARGER = N_("how many times the drawing is larger than the mechanism")
 SMALLER = N_("how many times the drawing is smaller than the mechanism")
 RATIO = N_("ratio of the teeth of ring and sun")
@@ -43,7 +43,7 @@ class Values(Sheet, prefix="eccentric"):
     alpha = Q("alpha", "deg", N_("profile angle of the basic rack"))
     ha = Q(HA, "", N_("addendum coefficient"))
     c = Q(C, "", N_("tip clearance coefficient"))
-    delta = Q("delta", "m", N_("least distance between the tips of neighbouring satellites"), *MM)
+    delta = Q("delta", "m", N_("least distance between the tips of neighbouring planet gears"), *MM)
     j_n = Q("j_n", "m", N_("normal backlash of the meshes"), *MM)
     omega = Q("omega", "rad/s", N_("angular velocity of the driving wheel"))
 
@@ -57,7 +57,7 @@ class Values(Sheet, prefix="eccentric"):
 
     t = Q("t", "", N_("number of the set"), digits=WHOLE)
     z1, z3 = map(_teeth, (SUN, RING))
-    satellites = Q("n", "", N_("number of satellites"), digits=WHOLE)
+    satellites = Q("n", "", N_("number of planet gears"), digits=WHOLE)
     remainder_teeth = Q(None, "", N_("remainder of z1 + z3 divided by 4"))
     remainder_E = Q(None, "", N_("remainder of 2e/m divided by 4"))
     least_teeth = Q("z_min", "", N_("least number of teeth that the rack does not undercut"))
@@ -70,7 +70,7 @@ class Values(Sheet, prefix="eccentric"):
     in_hand_2_4 = Q(
         None,
         "m",
-        N_("what the free distance of satellites 2 and 4 has in hand; negative: what it lacks"),
+        N_("what the free distance of planet gears 2 and 4 has in hand; negative: what it lacks"),
         "mm",
     )
     gap_1_3 = Q(
@@ -101,19 +101,19 @@ class Values(Sheet, prefix="eccentric"):
     tolerance = Q(Symbol("Delta", "u"), "%", N_("allowed deviation of the ratio"))
     u_wanted = Q("u", "", N_("wanted ratio of the teeth of ring and sun"))
     near_sets = Q(None, "", N_("sets of teeth near the ratio"))
-    near_holding = Q(None, "", N_("those of them that hold two satellites or more"))
+    near_holding = Q(None, "", N_("those of them that hold two planet gears or more"))
     near_ring = Q(None, "", N_("teeth of the largest ring looked at"))
-    b = Q("b", "m", N_("face width"), "mm")
-    density = Q("rho", "kg/m³", N_("density of the satellites"))
+    b = Q("b", "m", N_("facewidth"), "mm")
+    density = Q("rho", "kg/m³", N_("density of the planet gears"))
     M_1 = Q("M_1", "N·m", N_("moment on the sun, positive counter-clockwise"))
     M_3 = Q("M_3", "N·m", N_("moment on the ring, positive counter-clockwise"))
     M_H = Q("M_H", "N·m", N_("moment on the body of the axes, positive counter-clockwise"))
-    F_sum = Q("F_Sigma", "N", N_("sum of the circumferential forces of all the satellites on the sun"))
-    kappa = Q("kappa", "", N_("stiffness of a mesh by that of the axis of a satellite"))
-    share_sum = Q("w_Sigma", "", N_("sum of the numbers by which the satellites share the force"))
-    R_1 = Q("R_1", "N", N_("force of all the satellites on the axis of the sun"))
-    R_3 = Q("R_3", "N", N_("force of all the satellites on the axis of the ring"))
-    saved_share = Q("delta_m", "%", N_("what the smallest satellite saves of the mass of the largest"))
+    F_sum = Q("F_Sigma", "N", N_("sum of the circumferential forces of all the planet gears on the sun"))
+    kappa = Q("kappa", "", N_("stiffness of a mesh by that of the axis of a planet gear"))
+    share_sum = Q("w_Sigma", "", N_("sum of the numbers by which the planet gears share the force"))
+    R_1 = Q("R_1", "N", N_("force of all the planet gears on the axis of the sun"))
+    R_3 = Q("R_3", "N", N_("force of all the planet gears on the axis of the ring"))
+    saved_share = Q("delta_m", "%", N_("what the smallest planet gear saves of the mass of the largest"))
 
 
 class Set(Row):
@@ -121,13 +121,13 @@ class Set(Row):
 
     t = Q("t", "", N_("number of the set"))
     z1, z2, z3, z4, z5 = map(_teeth, "12345")
-    residue_4 = Q("epsilon_4", "", N_("residue of assembly of the middle satellite, pitches"))
+    residue_4 = Q("epsilon_4", "", N_("residue of assembly of the middle planet gear, pitches"))
     gap_2_4 = Q(Symbol(GAP, "2,4"), "m", Message(FREE, {"pair": "2–4"}), *MM)
     gap_4_5 = Q(Symbol(GAP, "4,5"), "m", Message(FREE, {"pair": "4–5"}), *MM)
     closed_2_4 = Q(
         Symbol(GAP, "2,4"),
         "m",
-        N_("free distance between the tip circles of satellites 2–4 in closed form"),
+        N_("free distance between the tip circles of planet gears 2–4 in closed form"),
         *MM,
     )
 
@@ -138,11 +138,11 @@ class Near(Sheet):
     place = Q(None, "", N_("place in the ranking"))
     u = Q("u", "", RATIO)
     delta_u = Q(Symbol("Delta", "u"), "%", N_("deviation of the ratio from the wanted one"))
-    held = Q(None, "", N_("number of satellites"))
+    held = Q(None, "", N_("number of planet gears"))
 
 
 def _mass(wheel: str) -> Q:
-    return Q(Symbol("m", wheel), "kg", Message(N_("mass of satellite %(wheel)s"), {"wheel": wheel}))
+    return Q(Symbol("m", wheel), "kg", Message(N_("mass of planet gear %(wheel)s"), {"wheel": wheel}))
 
 
 class Masses(Row):
@@ -150,8 +150,8 @@ class Masses(Row):
 
     t = Set.t.called(Symbol("t"))
     m2, m4, m5 = map(_mass, "245")
-    held = Q("m_Sigma", "kg", N_("mass of the satellites that the set holds together"))
-    saving = Q("Deltam", "kg", N_("what the smallest satellite saves in place of the largest"))
+    held = Q("m_Sigma", "kg", N_("mass of the planet gears that the set holds together"))
+    saving = Q("Deltam", "kg", N_("what the smallest planet gear saves in place of the largest"))
 
 
 class Satellite(Row):
@@ -169,7 +169,7 @@ class Satellite(Row):
     )  # fmt: skip
     z3_least = Q(
         Symbol("z", "3,min"), "",
-        N_("least teeth of a ring without shift that does not interfere with the satellite"),
+        N_("least teeth of a ring without shift that does not interfere with the planet gear"),
     )  # fmt: skip
 
 
@@ -177,12 +177,12 @@ class Loaded(Row):
     """Of the forces on a satellite."""
 
     gamma = Q(
-        "gamma", "deg", N_("angle at the satellite between the directions from the axes of sun and ring")
+        "gamma", "deg", N_("angle at the planet gear between the directions from the axes of sun and ring")
     )
-    w = Q("w", "", N_("number by which the satellite shares the force"))
-    F_t = Q("F_t", "N", N_("circumferential force in both meshes of the satellite"))
-    F_n = Q("F_n", "N", N_("normal force in both meshes of the satellite"))
-    Q_ = Q("Q", "N", N_("force of the satellite on its axis"), key="Q")
+    w = Q("w", "", N_("number by which the planet gear shares the force"))
+    F_t = Q("F_t", "N", N_("circumferential force in both meshes of the planet gear"))
+    F_n = Q("F_n", "N", N_("normal force in both meshes of the planet gear"))
+    Q_ = Q("Q", "N", N_("force of the planet gear on its axis"), key="Q")
 
 
 def of_satellite(wheel: str) -> dict[str, str]:

@@ -14,7 +14,9 @@ MM = ("mm", "mm")  # of print, in formulas
 MODULE, NORMAL = N_("module"), N_("module in the normal section")
 WANTED = N_("wanted ratio of the angular velocities of the input and the output")
 STOPPED = N_("efficiency of the stage with carrier %(carrier)s stopped")
-FORCE = N_("circumferential force on one satellite from wheel %(wheel)s for each newton metre of its moment")
+FORCE = N_(
+    "circumferential force on one planet gear from wheel %(wheel)s for each newton metre of its moment"
+)
 TURNS = N_("whole turns of the carrier in the usual form of the condition of assembly")
 USUAL = N_("whole number of the usual form of the condition of assembly")
 RULE = N_("least teeth of a ring without shift by the rule of the course")
@@ -26,8 +28,8 @@ class Values(Sheet):
     m = Q("m", "m", MODULE, *MM)
     m_I = Q("m_I", "m", MODULE, *MM)
     m_II = Q("m_II", "m", MODULE, *MM)
-    k_least = Q(None, "", N_("least number of satellites examined"))
-    k_most = Q(None, "", N_("largest number of satellites examined"))
+    k_least = Q(None, "", N_("least number of planet gears examined"))
+    k_most = Q(None, "", N_("largest number of planet gears examined"))
     eta_stopped = Q("eta", "", STOPPED)
     ha = Q(HA, "", N_("addendum coefficient"))
     alpha = Q("alpha", "deg", N_("profile angle of the basic rack"))
@@ -50,10 +52,10 @@ class Values(Sheet):
     combinations = Q(None, "", N_("number of combinations of teeth"))
     solutions = Q(None, "", N_("how many solutions there are"))
 
-    k = Q("k", "", N_("number of satellites"))
+    k = Q("k", "", N_("number of planet gears"))
     a_w = Q("a_w", "m", N_("centre distance"), *MM)
-    apart = Q(None, "m", N_("distance between the axes of neighbouring satellites"), "mm")
-    gap = Q("Delta", "m", N_("gap between the tip circles of neighbouring satellites"), *MM)
+    apart = Q(None, "m", N_("distance between the axes of neighbouring planet gears"), "mm")
+    gap = Q("Delta", "m", N_("gap between the tip circles of neighbouring planet gears"), *MM)
     least_teeth = Q("z_min", "", N_("least number of teeth that the rack does not undercut"))
     least_teeth_rounded = Q(None, "", N_("least number of teeth as the course rounds it"))
 
@@ -76,17 +78,17 @@ class Wheel(Row):
     """`x`: in the transverse section."""
 
     z = Q("z", "", N_("number of teeth"))
-    x_n = Q("x_n", "", N_("shift coefficient in the normal section"))
-    x = Q("x", "", N_("shift coefficient"))
+    x_n = Q("x_n", "", N_("profile shift coefficient in the normal section"))
+    x = Q("x", "", N_("profile shift coefficient"))
     d, d_b, d_w, d_f, d_a = map(_diameter, DIAMETERS)
     d_a_full = Q("d_a", "m", N_("tip diameter of teeth of full height"), *MM)
 
 
 SUMS = N_("sum of the teeth of the wheels in mesh; with a ring, their difference")
-SHIFTS = N_("sum of the shift coefficients in mesh; with a ring, their difference")
-TRANSVERSE = N_("shift coefficient in the transverse section")
-CUT = N_("tip diameter of the ring cut down clear of the satellite's fillets")
-LEAST = N_("least teeth of a ring without shift that does not interfere with its satellite")
+SHIFTS = N_("sum of the profile shift coefficients in mesh; with a ring, their difference")
+TRANSVERSE = N_("profile shift coefficient in the transverse section")
+CUT = N_("tip diameter of the ring cut down clear of the planet gear's fillets")
+LEAST = N_("least teeth of a ring without shift that does not interfere with its planet gear")
 
 
 class Mesh(Row):
@@ -94,11 +96,11 @@ class Mesh(Row):
 
     z_sum = Q(None, "", SUMS)
     a = Q("a", "m", N_("reference centre distance of the mesh that is opened"), *MM)
-    alpha_w = Q("alpha_w", "deg", N_("operating angle of that mesh"))
+    alpha_w = Q("alpha_w", "deg", N_("working pressure angle of that mesh"))
     x_sum = Q("x_Sigma", "", SHIFTS)
     eps_alpha = Q("epsilon_alpha", "", N_("contact ratio"))
-    d_w = Q("d_w", "m", N_("working diameter of the satellite in the mesh"), *MM)
-    rho_l = Q("rho_l", "m", N_("radius of curvature of the satellite where its involute begins"), *MM)
+    d_w = Q("d_w", "m", N_("working pitch diameter of the planet gear in the mesh"), *MM)
+    rho_l = Q("rho_l", "m", N_("radius of curvature of the planet gear where its involute begins"), *MM)
     line = Q(None, "m", N_("distance between the limit points of the line of action"), "mm")
     rho_a = Q(None, "m", N_("radius of curvature at the tip of the ring of full height"), "mm")
     d_a_cut = Q(Symbol("d", "a", "′"), "m", CUT, *MM)

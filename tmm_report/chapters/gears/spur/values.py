@@ -10,13 +10,13 @@ from tmm_report.quantity.terms.gear_terms import HA, C
 from tmm_report.quantity.terms.wheel_words import DIAMETERS, OWN_SYMBOLS, TEETH
 
 MM = ("mm", "mm")  # of print, in formulas
-SUM = N_("sum of the shift coefficients (of an internal pair, their difference)")
+SUM = N_("sum of the profile shift coefficients (of an internal pair, their difference)")
 NEEDED = N_("sum of the shifts (of an internal pair, their difference) that leaves no backlash")
 BOUND = N_("what the sum of the numbers of teeth (of an internal pair, their difference) must not exceed")
 ZONE = N_("each of the two parts of the line of action with two pairs in mesh")
 FAR = N_("distance of the pitch point from the end of the active part where the profiles slide fastest")
 LINE = N_("theoretical line of action, between its points of contact with the base circles")
-OMEGA, STATED = N_("magnitude of the angular velocity"), N_("shift coefficient that is stated")
+OMEGA, STATED = N_("magnitude of the angular velocity"), N_("profile shift coefficient that is stated")
 
 PRESSURE_POLE = N_("coefficient of specific pressure in the pitch point")
 PRESSURE_LOWER = N_(
@@ -29,14 +29,14 @@ class Values(Sheet):
     ratio = Q("u", "", N_("ratio of the angular velocities"))
     a = Q("a", "m", N_("reference centre distance"), *MM)
     a_w = Q("a_w", "m", N_("centre distance"), *MM)
-    alpha_w = Q("alpha_w", "deg", N_("operating pressure angle"))
+    alpha_w = Q("alpha_w", "deg", N_("working pressure angle"))
     x_sum = Q("x_Sigma", "", SUM)
-    y = Q("y", "", N_("coefficient of the shift of the centres"))
-    shortening = Q(Symbol("Deltay"), "", N_("coefficient of the shortening of the tips"))
+    y = Q("y", "", N_("centre distance modification coefficient"))
+    shortening = Q(Symbol("Deltay"), "", N_("tip alteration coefficient"))
     p = Q("p", "m", N_("pitch"), *MM)
     p_b = Q("p_b", "m", N_("base pitch"), *MM)
-    p_w = Q("p_w", "m", N_("pitch on the working circles"), *MM)
-    backlash = Q("j_w", "m", N_("backlash on the working circles"), *MM)
+    p_w = Q("p_w", "m", N_("pitch on the working pitch circles"), *MM)
+    backlash = Q("j_w", "m", N_("backlash on the working pitch circles"), *MM)
     line = Q(segment("N1N2"), "m", LINE, *MM)
     active = Q(segment("AB"), "m", N_("active part of the line of action"), *MM)
     eps = Q("epsilon_alpha", "", N_("contact ratio"))
@@ -50,7 +50,7 @@ class Values(Sheet):
     ha = Q(HA, "", N_("addendum coefficient"))
     c = Q(C, "", N_("tip clearance coefficient"))
     beta = Q("beta", "deg", N_("helix angle"))
-    b = Q("b", "m", N_("face width"), *MM)
+    b = Q("b", "m", N_("facewidth"), *MM)
 
     u = Q("u", "", N_("required ratio of the larger number of teeth to the smaller"))
     z_bound = Q("z_Sigma", "", BOUND)
@@ -62,7 +62,7 @@ class Values(Sheet):
     beta_b = Q("beta_b", "deg", N_("helix angle on the base cylinder"))
     alpha_t = Q("alpha_t", "deg", N_("profile angle in the transverse section"))
     inv_alpha = Q(Symbol("inv α"), "", N_("involute function of the profile angle"))
-    inv_alpha_w = Q(Symbol("inv α", "w"), "", N_("involute function of the operating angle"))
+    inv_alpha_w = Q(Symbol("inv α", "w"), "", N_("involute function of the working pressure angle"))
 
     stated_one = Q("x_st", "", STATED)
     stated_two = Q("x_st", "", STATED)
@@ -106,7 +106,7 @@ class Wheel(Row):
     """`rho_m` and `rho_u`: where the contact is shorter than between the tip circles."""
 
     z = Q("z", "", N_("number of teeth"))
-    x = Q("x", "", N_("shift coefficient"))
+    x = Q("x", "", N_("profile shift coefficient"))
     x_rule = Q(None, "", N_("least shift by the rule"))
     x_min = Q("x_min", "", N_("exact least shift"))
     d, d_b, d_w, d_f, d_a = map(_size, DIAMETERS)
@@ -119,8 +119,8 @@ class Wheel(Row):
     rho_m = Q("rho_m", "m", MEETS, *MM)
     rho_u = Q("rho_u", "m", UPPER, *MM)
     rho_l = Q("rho_l", "m", N_("radius of curvature where the involute begins"), *MM)
-    tip_lost = Q(Symbol("Deltay"), "", N_("coefficient of the shortening of the head"))
-    clearance = Q("c", "m", N_("radial clearance at the root"), *MM)
+    tip_lost = Q(Symbol("Deltay"), "", N_("coefficient of the shortening of the addendum"))
+    clearance = Q("c", "m", N_("bottom clearance at the root"), *MM)
 
 
 class Gauge(Row):
@@ -163,16 +163,18 @@ class Tool(Row):
     """The pinion cutter of a wheel, and what it leaves of it."""
 
     z0 = Q("z_0", "", N_("number of teeth of the pinion cutter"))
-    x0 = Q("x_0", "", N_("shift coefficient of the pinion cutter"))
-    inv_alpha_w0 = Q(Symbol("inv α", "w0"), "", N_("involute function of the operating angle in cutting"))
-    alpha_w0 = Q("alpha_w0", "deg", N_("operating angle in cutting"))
+    x0 = Q("x_0", "", N_("profile shift coefficient of the pinion cutter"))
+    inv_alpha_w0 = Q(
+        Symbol("inv α", "w0"), "", N_("involute function of the working pressure angle in cutting")
+    )
+    alpha_w0 = Q("alpha_w0", "deg", N_("working pressure angle in cutting"))
     a_w0 = Q("a_w0", "m", N_("distance of the axes in cutting"), *MM)
-    d_0 = Q("d_0", "m", N_("pitch diameter of the pinion cutter"), *MM)
+    d_0 = Q("d_0", "m", N_("reference diameter of the pinion cutter"), *MM)
     d_a0 = Q("d_a0", "m", N_("tip diameter of the pinion cutter"), *MM)
     d_b0 = Q("d_b0", "m", N_("base diameter of the pinion cutter"), *MM)
     d_f0 = Q("d_f", "m", N_("root diameter as the pinion cutter leaves it"), *MM)
     rho_l0 = Q("rho_l", "m", N_("radius of curvature where the pinion cutter leaves the involute"), *MM)
-    clearance0 = Q("c", "m", N_("radial clearance at the root"), *MM)
+    clearance0 = Q("c", "m", N_("bottom clearance at the root"), *MM)
 
 
 class Divided(Sheet):
@@ -196,14 +198,14 @@ class Divided(Sheet):
 
 STATED_LOSS = N_("what is stated of wheel %(wheel)s: shift of the rack or shortening of the span")
 STATED_FIELD = N_("tolerance of what is stated of wheel %(wheel)s")
-THIN = N_("least thinning of the teeth of wheel %(wheel)s, across them on the pitch circle")
+THIN = N_("least thinning of the teeth of wheel %(wheel)s, across them on the reference circle")
 FIELD = N_("by how much the teeth of wheel %(wheel)s may be thinner still")
 SPAN_FALL = N_("by how much the least thinning changes the span of wheel %(wheel)s")
 CLOSE, FAR = N_("centre distance that leaves the least backlash"), N_("and that which leaves the greatest")
-CLOSE_ANGLE, FAR_ANGLE = N_("operating angle at the first"), N_("operating angle at the second")
-BY_AXES = N_("backlash on the working circles that the centre distance leaves")
-BY_TEETH = N_("backlash on the working circles by the thinning of the teeth")
-J_W, J_N = N_("backlash on the working circles"), N_("backlash along the normal of the teeth")
+CLOSE_ANGLE, FAR_ANGLE = N_("working pressure angle at the first"), N_("working pressure angle at the second")
+BY_AXES = N_("backlash on the working pitch circles that the centre distance leaves")
+BY_TEETH = N_("backlash on the working pitch circles by the thinning of the teeth")
+J_W, J_N = N_("backlash on the working pitch circles"), N_("backlash along the normal of the teeth")
 TURNS = N_("angle by which wheel %(wheel)s turns freely while its mate is held")
 
 
@@ -244,9 +246,9 @@ class Limited(Sheet):
 class Along(Sheet):
     """Over the division of the shifts or over the centre distance; those of a wheel have its name in key and letter."""
 
-    x = Q("x", "", N_("shift coefficient of wheel %(wheel)s"))
+    x = Q("x", "", N_("profile shift coefficient of wheel %(wheel)s"))
     a_w = Q("a_w", "m", N_("centre distance"), *MM)
-    alpha_w = Q("alpha_w", "deg", N_("operating pressure angle"))
+    alpha_w = Q("alpha_w", "deg", N_("working pressure angle"))
     x_sum = Q("x_Sigma", "", SUM)
     eps = Q("epsilon_alpha", "", N_("contact ratio"))
     tip = Q(Symbol("s", "a", "*"), "", N_("thickness of the tips of wheel %(wheel)s in modules, s_a/m"))
@@ -277,7 +279,7 @@ class Points(Sheet):
     )
     v = Q("V", "m/s", N_("velocity of the point of the tooth of wheel %(wheel)s"))
     v_sl = Q("V_slide", "m/s", N_("velocity of sliding, above zero where the driving wheel is the faster"))
-    x = Q("x", "", N_("shift coefficient of wheel %(wheel)s"))
+    x = Q("x", "", N_("profile shift coefficient of wheel %(wheel)s"))
     step = Q(None, "", N_("distance from the chosen shifts"))
 
 

@@ -64,7 +64,7 @@ SPAN_MOVED = N_(
 NO_CONSTANT = N_("The constant chord of wheel %(wheel)s does not end on its involutes.")
 NO_CHORD = N_("No usual circle cuts the involutes of wheel %(wheel)s, so there is no chordal thickness.")
 OFF_PITCH = N_(
-    "The pitch circle does not cut the involutes of wheel %(wheel)s; the chordal thickness is taken half way up."
+    "The reference circle does not cut the involutes of wheel %(wheel)s; the chordal thickness is taken half way up."
 )
 NO_PINS = N_("No pin lies between the teeth of wheel %(wheel)s so that it touches involutes and stands out.")
 PAIRS = (N_("no pair"), N_("one pair"), N_("two pairs"), N_("three pairs"), N_("four pairs"))
@@ -119,7 +119,7 @@ BY_WHAT = {
     "span": N_("It is stated as the change of the span; the teeth lose"),
 }
 MEASURED = {
-    "s": N_("thickness on the pitch circle"),
+    "s": N_("tooth thickness on the reference circle"),
     "W": N_("span"),
     "s_c": N_("constant chord"),
     "s_y": N_("chordal thickness"),

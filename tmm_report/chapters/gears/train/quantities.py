@@ -23,7 +23,7 @@ FLOW = Message(N_("torques and powers that the meshes give to each member of the
 BRANCHES = Message(N_("shares of the power through the branches of the train"))
 DISTANCES = Message(N_("coaxiality of the meshes of the train"))
 ASSEMBLY = Message(N_("condition of assembly of the train"))
-NEIGHBOURS = Message(N_("condition of neighbourhood of the satellites of the train"))
+NEIGHBOURS = Message(N_("condition of neighbourhood of the planet gears of the train"))
 CASES = Message(N_("speeds of the members of the train in other motions"))
 REJECTED = Message(N_("sets of teeth of the train by the first condition that fails"))
 SOLUTIONS = Message(N_("sets of teeth of the train that meet every condition, best first"))
@@ -129,7 +129,7 @@ def _solutions(found: Found) -> Iterator[Column]:
     for name, teeth in zip(of.wheels, of.teeth, strict=True):
         yield Quantity(f"z_{name}", Symbol("z", name), "", Message(N_("number of teeth"))).column(teeth)
     if task.satellites:
-        yield Quantity("k", Symbol("k"), "", Message(N_("number of satellites"))).column(of.satellites)
+        yield Quantity("k", Symbol("k"), "", Message(N_("number of planet gears"))).column(of.satellites)
     yield Quantity("u", Symbol("u"), "", Message(N_("ratio of the angular velocities"))).column(of.ratio)
     miss = 100 * (np.asarray(of.ratio) / task.ratio - 1)
     yield Quantity("delta_u", Symbol("Delta", "u"), "%", Message(N_("deviation of the ratio"))).column(miss)

@@ -12,7 +12,7 @@ from tmm_report.quantity.symbols import Symbol, both
 WORDS = (NP_("index", "in"), NP_("index", "out"), NP_("index", "lost"), NP_("index", "circ"))
 FORCE_RATIO = N_("ratio of the torques with the losses in the meshes, −M_out/M_in")
 BACK = N_("efficiency with the power going in at the output; not positive: it locks itself")
-FORCE = N_("circumferential force in the mesh, of several satellites on one")
+FORCE = N_("circumferential force in the mesh, of several planet gears on one")
 WAY = N_(
     "flow of the power about the carrier: 1 from the first wheel to the second, −1 back, 0 nothing moves"
 )
@@ -106,13 +106,13 @@ class Distance(Row):
 
 
 class Assembly(Row):
-    k = Q("k", "", N_("number of satellites"), digits=10)
-    C = Q("C", "", N_("number of the condition of assembly: whole where the satellites can be put in"))
+    k = Q("k", "", N_("number of planet gears"), digits=10)
+    C = Q("C", "", N_("number of the condition of assembly: whole where the planet gears can be put in"))
 
 
 class Neighbours(Row):
-    k = Q("k", "", N_("number of satellites"), digits=10)
-    gap = Q("Delta", "m", N_("gap between the tips of neighbouring satellites, without shift"), "mm")
+    k = Q("k", "", N_("number of planet gears"), digits=10)
+    gap = Q("Delta", "m", N_("gap between the tips of neighbouring planet gears, without shift"), "mm")
 
 
 class Case(Row):

@@ -120,7 +120,7 @@ def _loaded(found: Found, shafts: Shafts) -> Iterator[Column]:
         return
     names, along, across = zip(*rows, strict=True)
     yield text_column("mesh", Message(N_("wheels in mesh")), names)
-    text = N_("circumferential force in the mesh, on one satellite where there are several")
+    text = N_("circumferential force in the mesh, on one planet gear where there are several")
     yield Quantity("F_t", Symbol("F", "t"), "N", Message(text)).column(along)
-    text = N_("radial force in the mesh, on one satellite where there are several")
+    text = N_("radial force in the mesh, on one planet gear where there are several")
     yield Quantity("F_r", Symbol("F", "r"), "N", Message(text)).column(across)

@@ -20,9 +20,9 @@ def further_tables(found: Found) -> Iterator[Table]:
     if found.nearby is not None:
         yield Table("eccentric_near", Message(N_("Sets of teeth near the ratio")), tuple(_near(found)))
     if found.masses is not None:
-        yield Table("eccentric_masses", Message(N_("Masses of the satellites")), tuple(_masses(found)))
+        yield Table("eccentric_masses", Message(N_("Masses of the planet gears")), tuple(_masses(found)))
     if found.given.load is not None:
-        yield Table("eccentric_loads", Message(N_("Forces on the satellites")), tuple(_loads(found)))
+        yield Table("eccentric_loads", Message(N_("Forces on the planet gears")), tuple(_loads(found)))
     for path in found.paths:
         meaning = Message(N_("Path of point %(name)s"), {"name": path.name})
         yield Table(f"eccentric_path_{path.name}", meaning, tuple(_path(path)))
@@ -43,7 +43,7 @@ def _near(found: Found) -> Iterator[Column]:
     yield Near.delta_u.column(100 * near.deviation[some])
     fits = near.judged.fit[some]
     held = [", ".join(w for w, fit in zip(WHEELS.values(), row, strict=True) if fit) for row in fits]
-    yield text_column("satellites", Message(N_("satellites that go together")), held)
+    yield text_column("satellites", Message(N_("planet gears that go together")), held)
     yield Near.held.column(fits.sum(axis=-1))
 
 

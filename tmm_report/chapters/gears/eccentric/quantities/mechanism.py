@@ -31,11 +31,11 @@ def values(found: Found) -> Iterator[Value]:
 def tables(found: Found) -> Iterator[Table]:
     parts = {
         "family": (N_("Sets of teeth of the family"), _family),
-        "satellites": (N_("Positions of the satellites"), _satellites),
+        "satellites": (N_("Positions of the planet gears"), _satellites),
         "conditions": (N_("Conditions of the mechanism"), _conditions),
         "teeth": (N_("Overlap and clearance of the teeth over a full pitch"), _proof),
         "wheels": (N_("Dimensions of the wheels"), _wheels),
-        "neighbours": (N_("Satellites that stand side by side"), _neighbours),
+        "neighbours": (N_("Planet gears that stand side by side"), _neighbours),
     }
     if found.given.speed is not None:
         parts["speeds"] = (N_("Angular velocities of the members"), _speeds)
@@ -61,7 +61,7 @@ def _family(found: Found) -> Iterator[Column]:
     yield Set.gap_4_5.column(judged.gap[:, 1, 2])
     yield Set.closed_2_4.column(judged.closed)
     held = [", ".join(w for w, fits in zip(WHEELS.values(), row, strict=True) if fits) for row in judged.fit]
-    yield text_column("satellites", Message(N_("satellites that go together")), held)
+    yield text_column("satellites", Message(N_("planet gears that go together")), held)
 
 
 # --- the satellites of the chosen set

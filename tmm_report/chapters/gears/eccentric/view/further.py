@@ -13,7 +13,7 @@ from tmm_report.chapters.gears.eccentric.quantities import tables
 from tmm_report.chapters.gears.eccentric.solve.mechanism import Found
 from tmm_report.chapters.gears.eccentric.steps import Path, steps
 from tmm_report.figures.drawing import Drawing
-from tmm_report.quantity.definition import Definition
+from tmm_report.quantity.definition import Definition, parted
 from tmm_report.quantity.formula import Formula
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
@@ -46,7 +46,7 @@ class FurtherView(ChapterView):
             for row in range(min(SHOWN, len(table)))
         ]
         heads = [self.t("No."), *(page.head(table[key].symbol()) for key in (*whole[1:], "u"))]
-        heads += [page.head(table["delta_u"].symbol(), "%"), self.t("Satellites")]
+        heads += [page.head(table["delta_u"].symbol(), "%"), self.t("Planet gears")]
         return worded(caption, heads, rows, (1, 1, 1, 1, 1, 1.4, 1.4, 2))
 
     # ------------------------------------------------------------ masses
@@ -88,21 +88,26 @@ class FurtherView(ChapterView):
             return [rows[0].formula(key) for key in ("F_t", "F_n")]
         each = [row.formula("w") for row in rows]
         forces = [row.formula("F_t") for row in rows]
-        return [*each, *self.formulas("share_sum"), *forces, rows[0].formula("F_n")]
+        kinds = self.kinds(each), self.formulas("share_sum"), self.kinds(forces), [rows[0].formula("F_n")]
+        return [one for formulas in kinds for one in formulas]
+
+    def kinds(self, formulas: list[Formula]) -> list[Formula]:
+        """The first of each kind; the tables have the numbers of the others."""
+        return [*formulas] if self.page.note.every else parted(formulas, self.page.tr)[0]
 
     def of_first(self, *keys: str) -> list[Formula]:
         """Of the first satellite: what the letters of all are."""
         return [self.made.loads[0].formula(key) for key in keys if self.made.loads[0].has_formula(key)]
 
     def on_axes(self) -> list[Formula]:
-        return [row.formula("Q") for row in self.made.loads]
+        return self.kinds([row.formula("Q") for row in self.made.loads])
 
     def loads(self, caption: Any) -> Table:
         table = self.table("loads")
         names = [self.page.word(text, table, "wheel", row) for row, text in enumerate(table["wheel"].values)]
         keys = [key for key in ("w", "F_t", "F_n", "Q") if key in table]
         columns = [self.page.singles(table, "gamma", places=3), *self.columns("loads", keys)]
-        return numeric(caption, Column(self.t("Satellite"), names), columns)
+        return numeric(caption, Column(self.t("Planet gear"), names), columns)
 
     # ------------------------------------------------------------ paths
 

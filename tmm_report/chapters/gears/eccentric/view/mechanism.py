@@ -17,7 +17,7 @@ from tmm_report.chapters.gears.eccentric.view.further import FurtherView
 from tmm_report.chapters.gears.eccentric.view.tables import CONDITIONS, EccentricTables
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
-from tmm_report.quantity.definition import Definition
+from tmm_report.quantity.definition import Definition, parted
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.written import Equation
 from tmm_report.report.page import Page
@@ -82,7 +82,11 @@ class EccentricView(EccentricTables):
     def of_satellites(self, *keys: str) -> list[Formula]:
         """Of each that mirrors no other; angles of those alone that are off the axis."""
         rows = [self.made.row(s) for s in self.found.upper]
-        return [row.formula(key) for row in rows for key in keys if row.has_formula(key)]
+        return self._kinds(row.formula(key) for row in rows for key in keys if row.has_formula(key))
+
+    def _kinds(self, formulas: Iterable[Formula]) -> list[Formula]:
+        """The first of each kind; the tables have the numbers of the others."""
+        return [*formulas] if self.page.note.every else parted(formulas, self.page.tr)[0]
 
     def ring_limit(self) -> Formula:
         """Least teeth of the ring beside the satellite that asks for most of them."""
@@ -90,7 +94,7 @@ class EccentricView(EccentricTables):
 
     def beside(self) -> list[Formula]:
         """Distance and gap of neighbours."""
-        return [pair.formula(key) for pair in self.made.pairs for key in ("l", "gap")]
+        return self._kinds(pair.formula(key) for pair in self.made.pairs for key in ("l", "gap"))
 
     @property
     def hardest(self) -> Satellite:
@@ -118,7 +122,7 @@ class EccentricView(EccentricTables):
         row = self.found.judged.full
         if row is None:
             return None
-        text = N_("%(t)s (teeth %(teeth)s), where %(gap)s mm are left between satellites 2 and 4")
+        text = N_("%(t)s (teeth %(teeth)s), where %(gap)s mm are left between planet gears 2 and 4")
         family = self.table("family")
         teeth = [self.page.shown(family, key, row) for key in ("z1", "z2", "z3", "z4")]
         gap = self.page.shown(family, "closed_2_4", row, places=3)
@@ -168,7 +172,7 @@ class EccentricView(EccentricTables):
     def _told(self) -> Iterator[Markup]:
         text = N_(
             "The eccentric epicyclic mechanism has the teeth %(teeth)s and, with the axes stopped, the ratio "
-            "%(ratio)s; number of its satellites: %(count)s."
+            "%(ratio)s; number of its planet gears: %(count)s."
         )
         teeth = self.page.listed(self._all_teeth())
         yield self.t(text, teeth=teeth, ratio=self.number("u"), count=self.number("satellites"))
@@ -176,13 +180,15 @@ class EccentricView(EccentricTables):
             nearest = min(self.found.near, key=lambda pair: pair.gap)
             row = self.found.near.index(nearest)
             gap = self.page.shown(self.table("neighbours"), "gap", row, digits=4)
-            yield self.t("Its neighbouring satellites are %(gap)s mm apart at the narrowest place.", gap=gap)
+            yield self.t(
+                "Its neighbouring planet gears are %(gap)s mm apart at the narrowest place.", gap=gap
+            )
         if self.found.nearby:
             text = N_("Within %(tolerance)s %% of the ratio there are %(count)s sets of teeth.")
             yield self.t(text, tolerance=self.number("tolerance", digits=3), count=self.number("near_sets"))
         if self.knows("saved_share"):
             text = N_(
-                "The smallest satellite in place of the largest saves %(saving)s, %(share)s %% of its mass."
+                "The smallest planet gear in place of the largest saves %(saving)s, %(share)s %% of its mass."
             )
             yield self.t(
                 text, saving=self.further.mass_of("saving"), share=self.number("saved_share", digits=3)

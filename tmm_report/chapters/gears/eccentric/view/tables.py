@@ -16,12 +16,12 @@ from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 
 CONDITIONS = {
-    "assembly": N_("assembly of satellite %(wheel)s, pitches"),
-    "neighbourhood": N_("neighbourhood of satellites %(wheel)s"),
+    "assembly": N_("assembly of planet gear %(wheel)s, pitches"),
+    "neighbourhood": N_("neighbourhood of planet gears %(wheel)s"),
     "tips": N_("tips of sun and ring apart"),
     "undercut": N_("no undercut of wheel %(wheel)s, teeth"),
-    "root": N_("no interference of the ring with the root of satellite %(wheel)s"),
-    "fouling": N_("no overlap of the tips of satellite %(wheel)s and the ring"),
+    "root": N_("no interference of the ring with the root of planet gear %(wheel)s"),
+    "fouling": N_("no overlap of the tips of planet gear %(wheel)s and the ring"),
 }
 
 
@@ -41,7 +41,7 @@ class EccentricTables(ChapterView):
         heads = [page.head(table[key].symbol(), table[key].quantity.printed) for key in keys]
         rows = [self._set(row) for row in range(len(table))]
         shares = (2, 2, 2, 2, 2, 2, 3, 4, 4, 5)
-        return worded(self.t("Sets of teeth of the family"), [*heads, self.t("Satellites")], rows, shares)
+        return worded(self.t("Sets of teeth of the family"), [*heads, self.t("Planet gears")], rows, shares)
 
     def _set(self, row: int) -> list[str]:
         table, page = self.table("family"), self.page
@@ -97,8 +97,8 @@ class EccentricTables(ChapterView):
             singles(table, "L", places=4),
             singles(table, "residue", size=True, places=4),
         ]
-        first = self._words(N_("Satellite"), table, "wheel")
-        return numeric(self.t("Positions of the satellites"), first, columns)
+        first = self._words(N_("Planet gear"), table, "wheel")
+        return numeric(self.t("Positions of the planet gears"), first, columns)
 
     def conditions(self) -> Table:
         rows = [

@@ -22,7 +22,7 @@ def _columns(choice: Choice) -> Iterator[Column]:
     count = Message(N_("number of solutions"))
     yield Quantity("solutions", None, "", count).column([one.solutions for one in rows])
     yield text_column("teeth", Message(N_("best teeth")), [_teeth(one) for one in rows])
-    satellites = Message(N_("number of satellites"))
+    satellites = Message(N_("number of planet gears"))
     yield Quantity("k", Symbol("k"), "", satellites).column([one.satellites or math.nan for one in rows])
     ratio = Message(N_("ratio of the stage"))
     yield Quantity("u", Symbol("u"), "", ratio).column([one.ratio for one in rows])

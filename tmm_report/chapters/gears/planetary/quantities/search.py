@@ -21,11 +21,14 @@ CANDIDATES = Message(N_("combinations of teeth: the solutions, best first, then 
 AT_ONCE = 10_000  # rows that are numbers of Python at one time
 
 TEETH = Message(N_("number of teeth"))
-SATELLITES = Quantity("k", Symbol("k"), "", Message(N_("number of satellites; 0: any")))
+SATELLITES = Quantity("k", Symbol("k"), "", Message(N_("number of planet gears; 0: any")))
 RATIO = Quantity("u", Symbol("u"), "", Message(N_("ratio of the angular velocities")))
 DEVIATION = Quantity("delta_u", Symbol("Delta", "u"), "%", Message(N_("deviation of the ratio")))
 MULTIPLE = Quantity(
-    "multiple", None, "", Message(N_("1: teeth of a central wheel are a multiple of the satellites' number"))
+    "multiple",
+    None,
+    "",
+    Message(N_("1: teeth of a central wheel are a multiple of the planet gears' number")),
 )
 PLACE = Quantity("place", None, "", Message(N_("place of the solution")))
 OVERALL = Quantity("D", Symbol("D"), "m", Message(N_("diameter that the stage fills")))

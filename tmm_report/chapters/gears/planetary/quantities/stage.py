@@ -85,7 +85,7 @@ def _motions(found: Found) -> Iterator[Column]:
         speed = Quantity(f"omega_{member(one)}", Symbol("omega", member(one)), "", about)
         yield speed.column([motion.speed[one] for motion in motions])
     satellite = Symbol("omega", found.given.crowns[0])
-    about = Message(N_("speed of the satellites to that of the input"))
+    about = Message(N_("speed of the planet gears to that of the input"))
     yield Quantity("omega_satellite", satellite, "", about).column([motion.satellite for motion in motions])
     yield listing.RATIO.column([motion.ratio for motion in motions])
     about = Message(N_("efficiency; not positive: locks"))

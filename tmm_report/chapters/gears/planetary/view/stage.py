@@ -103,9 +103,9 @@ class PlanetaryView(PlanetaryTables):
         row, table = self.found.opened[0] if self.found.opened else 0, self.table("rows")
         outside = self.scheme.rows[row] == EXTERNAL
         total = (
-            self.t("sum of the shift coefficients of the wheels")
+            self.t("sum of the profile shift coefficients of the wheels")
             if outside
-            else self.t("difference of the shift coefficients of the ring and the satellite")
+            else self.t("difference of the profile shift coefficients of the ring and the planet gear")
         )
         return [
             self.page.explained("planetary:a", table["a"], "mm"),
@@ -179,7 +179,7 @@ class PlanetaryView(PlanetaryTables):
         )
         deviation = self.number("delta_u", digits=3)
         lines = [self.t(text, name=self.title, teeth=self.chosen_teeth(), deviation=deviation)]
-        lines += [self.t("Its efficiency is %(eta)s, its neighbouring satellites are %(gap)s mm apart.",
+        lines += [self.t("Its efficiency is %(eta)s, its neighbouring planet gears are %(gap)s mm apart.",
                          eta=self.number("eta"),
                          gap=self.number("gap", digits=4))]  # fmt: skip
         lines += [self.schemes.said()] if self.schemes else []

@@ -154,11 +154,11 @@ class PlanetaryTables(ChapterView):
             case "tips":
                 return self.t("no overlap of the tips in the mesh with ring %(wheel)s", wheel=wheels[0])
             case "radial":
-                return self.t("room to put a satellite into ring %(wheel)s radially", wheel=wheels[0])
+                return self.t("room to put a planet gear into ring %(wheel)s radially", wheel=wheels[0])
             case "contact":
                 return self.t("contact ratio of the pair %(pair)s", pair="-".join(wheels))
             case "gap":
-                return self.t("gap between neighbouring satellites")
+                return self.t("gap between neighbouring planet gears")
             case _:
                 assert_never(of.key)
 

@@ -26,8 +26,8 @@ REASONS = {
     Reason.COAXIALITY: N_("coaxiality, or teeth out of range"),
     Reason.RATIO: N_("the ratio is missed"),
     Reason.INTERFERENCE: N_("interference in an internal mesh"),
-    Reason.ASSEMBLY: N_("the satellites cannot be put in"),
-    Reason.NEIGHBOURHOOD: N_("neighbouring satellites touch"),
+    Reason.ASSEMBLY: N_("the planet gears cannot be put in"),
+    Reason.NEIGHBOURHOOD: N_("neighbouring planet gears touch"),
 }
 
 
@@ -163,7 +163,7 @@ class TrainTables(ChapterView):
             for row, one in enumerate(self.found.conditions.neighbours)
         ]
         heads = [
-            self.t("Satellites"),
+            self.t("Planet gears"),
             page.head(table["k"].symbol()),
             page.head(Symbol("Delta"), "mm"),
             self.t("Neighbours"),

@@ -239,9 +239,9 @@ class TrainView(TrainTables):
                 )
             )
         if of.stated and not all(one.met for one in of.assembly):
-            yield Failed(self.t("The stated number of satellites cannot be put in at equal angles."))
+            yield Failed(self.t("The stated number of planet gears cannot be put in at equal angles."))
         if of.stated and not all(one.met for one in of.neighbours):
-            yield Failed(self.t("Neighbouring satellites of the gear train touch."))
+            yield Failed(self.t("Neighbouring planet gears of the gear train touch."))
 
     def _found(self) -> Iterator[Markup]:
         found = self.found
