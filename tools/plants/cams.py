@@ -91,6 +91,13 @@ FAULTS = (
           "fast.unit, text).value(omega * end.first)", "fast.unit, text).value(end.first)", CAM_PRESS, STATED),
     Fault("cam sizes: both sides of the change exchanged", "tmm_report/chapters/cams/cam/quantities/arcs.py",
           "start, end, nose, tip = rows[:4]", "start, nose, end, tip = rows[:4]", CAM_PRESS, STATED),
+    # --- a phase by a table ---
+    Fault("cam table: the curve begins with any velocity", OF_CAMS + "shapes.py", "A[0, 0] = A[-1, -1] = 2.0",
+          "A[0, 0] = A[-1, -1] = 4.0", CAM_PRESS, ("tests/mechanics/cams/test_shapes.py",)),
+    Fault("cam table: a return by a table of a rise", "tmm_report/chapters/cams/cam/block/models.py",
+          "way = -1.0 if self.return_ is not None else 1.0", "way = 1.0", CAM_PRESS, NOTED),
+    Fault("cam table: what swings back is taken", OF_CAMS + "shapes.py", "if np.min(steps) < 0:",
+          "if np.min(steps) < -9e9:", CAM_PRESS, ("tests/mechanics/cams/test_shapes.py",)),
     # --- the note of a cam ---
     Fault("cam note: rows alike that do not follow one another stand together", "tmm_report/report/paper/layout.py",
           "alike = [list(run) for _, run in groupby(range(len(rows)), key=rows.__getitem__)]",

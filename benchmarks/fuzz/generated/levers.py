@@ -304,6 +304,9 @@ def _law(one: Data, swings: bool, base: float, random: Random) -> None:
         for phase in (rise, back):
             if random.random() < 0.2:
                 phase["acceleration"] = graph(random)
+            elif random.random() < 0.1:
+                heights = [round(10 - 10 * math.cos(math.pi * k / 6), 1) for k in range(7)]
+                phase["displacement"] = heights if phase is rise else heights[::-1]
             elif random.random() < 0.98:
                 phase["law"] = random.choice(LAWS)
         one["phases"] = [rise, {"dwell": "50 deg"}, back, {"dwell": "90 deg"}]

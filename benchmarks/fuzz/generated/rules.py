@@ -145,6 +145,7 @@ SETS: Mapping[str, Sequence[Keys]] = {
         ("return", "law"),
         ("rise", "acceleration"),
         ("return", "velocity"),
+        ("rise", "displacement"),
     ],
     "PieceModel": [("constant",), ("line",), ("width", "sine")],
     "vibration.Start": [("displacement",), ("velocity",), ("displacement", "velocity")],

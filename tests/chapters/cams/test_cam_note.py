@@ -14,6 +14,7 @@ from note import read, text_of
 
 from tmm_report import course, loading, render
 from tmm_report.chapters.title.given import Note
+from tmm_report.problems import ProblemError
 from tmm_report.report.paper.layout import Column, joined, runs
 
 PHASES = (
@@ -133,6 +134,46 @@ def test_a_free_offset_is_the_best_one_and_is_said_once():
     zone = found.cam.sized
     around = [zone.at(found.offset + step).radius for step in (-1e-3, 0.0, 1e-3)]
     assert min(around) == around[1]
+
+
+TABLE = (
+    "phases: [{rise: 100 deg, %s}, {dwell: 40 deg}, {return: 80 deg, displacement: [20, 17, 10, 3, 0]}, "
+    "{dwell: rest}]"
+)
+
+
+@pytest.mark.parametrize(
+    ("rise", "graph", "table"), [("law: sine", False, True), ("acceleration: [0, 1, 0, -1, 0]", True, True)]
+)
+def test_a_phase_by_a_table_of_displacements(rise, graph, table):
+    """At the equal parts of the return the follower is where the table says, the second way the stated numbers."""
+    cam = f"roller: 12 mm, lift: 30 mm, base: 40 mm, positions: 36, {TABLE % rise}"
+    results = course.solve(loading.loads(f"language: en\ncam: {{{cam}}}"))
+    found = results.cam.cams[0].at(np.radians([140, 160, 180, 200, 219.9999999]))
+    assert pytest.approx(30e-3 * np.array([20, 17, 10, 3, 0]) / 20, abs=1e-9) == found.S
+    assert found.first[[0, -1]] == pytest.approx([0, 0], abs=1e-9)
+    text = words(render(results, "html", "en", "full")["note.html"].decode())
+    assert ("is the cubic spline through them" in text) == table
+    assert ("the ordinates below zero are scaled" in text) == graph
+    assert "tabulated" in text
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("[20, 17, 10, 3, 0]", "[0, 3, 10, 17, 20]", "turns back within the phase"),
+        ("[20, 17, 10, 3, 0]", "[4, 4, 4, 4]", "begin and end at the same place"),
+        ("[20, 17, 10, 3, 0]", "[10.02, 10.01, 10, 0.02, 0.01, 0]", "turns back between them"),
+        ("displacement:", "law: sine, displacement:", "a rise and a return have a law"),
+        ("[20, 17, 10, 3, 0]", "[20, 0]", ""),
+    ],
+)
+def test_a_table_of_displacements_that_is_none(old, new, says):
+    cam = f"roller: 12 mm, lift: 30 mm, base: 40 mm, {TABLE % 'law: sine'}".replace(old, new)
+    with pytest.raises(ProblemError) as raised:
+        loading.loads(f"language: en\ncam: {{{cam}}}")
+    assert any(says in one.wrong.text for one in raised.value.problems)
+    assert len(raised.value.problems) == 1
 
 
 def test_no_angle_under_a_flat_face_is_said_in_words():

@@ -12,6 +12,7 @@ from tmm_report.mechanics.cams.shapes import (
     Parabolic,
     Piece,
     Unfit,
+    by_displacement,
     by_velocity,
     lines,
     named,
@@ -135,6 +136,47 @@ def test_velocity_by_ordinates():
 def test_a_velocity_that_begins_at_once_is_a_hard_shock():
     f, slope, bend = by_velocity([1, 1, 1]).of(FINE)
     assert np.allclose(f, FINE) and np.allclose(slope, 1) and np.allclose(bend, 0)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_displacements_by_ordinates_against_the_clamped_spline_of_scipy(seed):
+    from scipy.interpolate import CubicSpline
+
+    random = np.random.default_rng(seed)
+    count = int(random.integers(4, 30))
+    x = np.linspace(0, 1, count)
+    y = random.uniform(1, 40) * (x - np.sin(2 * np.pi * x) / 7 + random.uniform(0, 2e-3, count)) + 5
+    y.sort()
+    graph = by_displacement(y.tolist())
+    peer = CubicSpline(x, (y - y[0]) / (y[-1] - y[0]), bc_type="clamped")
+    f, slope, bend = graph.of(FINE)
+    for k, found in enumerate((f, slope, bend)):
+        other = peer(FINE, k)
+        assert found == pytest.approx(other, abs=1e-9 * np.max(np.abs(other)))
+    away = np.min(np.abs(FINE[:, None] - x), axis=1) > 1e-6
+    assert graph.third(FINE)[away] == pytest.approx(
+        peer(FINE, 3)[away], abs=1e-7 * np.max(np.abs(peer(FINE, 3)))
+    )
+
+
+def test_displacements_are_gone_through_and_begin_and_end_at_rest():
+    graph = by_displacement([0, 3, 10, 17, 20])
+    f, slope, _ = graph.of(np.linspace(0, 1, 5))
+    assert f * 20 == pytest.approx([0, 3, 10, 17, 20]) and slope[[0, -1]] == pytest.approx([0, 0], abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("ordinates", "why"),
+    [
+        ([5, 5, 5, 5], "no lift"),
+        ([20, 17, 3, 0], "falls back"),
+        ([0, 3, 2, 20], "falls back"),
+        ([0, 0.01, 0.02, 10, 10.01, 10.02], "swings back"),
+    ],
+)
+def test_displacements_that_are_no_rise(ordinates, why):
+    with pytest.raises(Unfit, match=why):
+        by_displacement(ordinates)
 
 
 @pytest.mark.parametrize(

@@ -13,6 +13,7 @@
     modified_trapezoid    see `modified_trapezoid`       2                8π/(2 + π)
     trapezoid             ramps of a share r             2                4/(1 − 2r); 16/3 at r = 1/8, 8 at 1/4
     stated                any graph of acceleration, or of velocity
+    tabled                a curve through displacements
 
 Source: Artobolevsky, Theory of mechanisms and machines, ch. 26; Levitsky, Cam mechanisms, ch. 2; Norton, Cam design,
 ch. 3.
@@ -34,6 +35,7 @@ Array = Any
 Three = tuple[Array, Array, Array]  # a function and its first two derivatives
 EDGE = 1e-12  # of a phase: a share as near as this before a break belongs to what follows it
 Form = Literal["line", "sine"]
+TABLED = "tabled"  # name of a shape through displacements
 
 
 class Shape(Protocol):
@@ -186,7 +188,8 @@ class Laid(NamedTuple):
 
 
 class Unfit(ValueError):
-    """A graph that is no law of a rise; the first argument says why: "one sign", "turns back"."""
+    """A graph that is no law of a rise; the first argument says why: "one sign", "turns back"; "no lift", "falls back",
+    "swings back" of displacements."""
 
 
 @dataclass(frozen=True)
@@ -336,6 +339,28 @@ def by_velocity(ordinates: Sequence[float]) -> Graph:
     step = 1.0 / (len(ordinates) - 1)
     pieces = tuple(Piece(step, slope, slope) for slope in ((b - a) / step for a, b in pairwise(ordinates)))
     return Graph(pieces, begin=ordinates[0])
+
+
+def by_displacement(ordinates: Sequence[float]) -> Graph:
+    """The smooth curve through ordinates of displacement at equal parts of the phase, at rest at both ends: the clamped
+    cubic spline, whose acceleration goes straight between them. Raises Unfit.
+
+    Source: de Boor, A practical guide to splines, ch. 4.
+    """
+    steps = np.diff(np.asarray(ordinates, dtype=float))
+    if np.min(steps) < 0:
+        raise Unfit("falls back")
+    if not np.max(steps) > 0:
+        raise Unfit("no lift")
+    steps, n = steps / np.sum(steps), len(ordinates)
+    A = 4.0 * np.eye(n) + np.eye(n, k=1) + np.eye(n, k=-1)
+    A[0, 0] = A[-1, -1] = 2.0
+    bends = np.linalg.solve(A, 6.0 * (n - 1) ** 2 * np.diff(steps, prepend=0.0, append=0.0))
+    bends[np.abs(bends) < EDGE * np.abs(bends).max()] = 0.0
+    try:
+        return Graph(lines(bends.tolist()), name=TABLED)
+    except Unfit:
+        raise Unfit("swings back") from None
 
 
 def trapezoid(ramp: float) -> Graph:

@@ -11,14 +11,16 @@ from markupsafe import Markup
 
 from tmm_report.chapters.cams.cam import arcs_written, formulas
 from tmm_report.chapters.cams.cam import quantities as q
-from tmm_report.chapters.cams.cam.draw import centres, face, profile, sheet, zone
+from tmm_report.chapters.cams.cam.draw import centres, face, profile, zone
 from tmm_report.chapters.cams.cam.formulas import Written
+from tmm_report.chapters.cams.cam.made_view import MadeView
 from tmm_report.chapters.cams.cam.sizing import Rules, Sizing, sizing
 from tmm_report.chapters.cams.cam.solve.alone import Found
 from tmm_report.chapters.cams.cam.solve.found import CamFound, Cams, Divided, Sampled
-from tmm_report.chapters.cams.cam.solve.making import Making
 from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
+from tmm_report.mechanics.cams.shapes import TABLED
+from tmm_report.mechanics.cams.shapes import Graph as ByPieces
 from tmm_report.mechanics.cams.sizes.least_face import Face
 from tmm_report.mechanics.cams.sizes.least_size import Lever, Zone
 from tmm_report.problems import N_
@@ -301,6 +303,11 @@ class CamView(BookView):
         ]  # fmt: skip
         return worded(caption, heads, rows, (1, 3, 4, 2, 2))
 
+    def stated_by(self, displacement: bool) -> bool:
+        """Whether a law that goes piece by piece is stated by displacements, or whether one is by something else."""
+        laws = (phase.law for phase in self.found.phases)
+        return any(isinstance(law, ByPieces) and (law.name == TABLED) == displacement for law in laws)
+
     def pieces(self, caption: Any) -> Table:
         """The graphs of acceleration, piece by piece."""
         table, page = self.table(q.named(self.found, "cam_pieces")), self.page
@@ -459,41 +466,3 @@ class CamView(BookView):
 
     def drawing(self) -> Drawing:
         return profile.drawing(self.found, self._scale)
-
-
-class MadeView(BookView):
-    """How a cam that stands alone is made, and the proof of its profile."""
-
-    def __init__(self, made: Making, book: Book, page: Page):
-        super().__init__(page, book)
-        self.made = made
-
-    def walls(self, caption: Any) -> Table:
-        return self.by_positions(caption, "cam_walls")
-
-    @property
-    def exact(self) -> bool:
-        """Whether the profile gives its law back but for rounding."""
-        lift = self.made.found.lift
-        return self.made.proof.value < ALIKE * lift
-
-    def sheet(self) -> Drawing:
-        return sheet.drawing(self.made, self._mu)
-
-    @cached_property
-    def _mu(self) -> float:
-        return sheet.scale(self.made)
-
-    def scale_var(self) -> Var:
-        return scale_of("mu_l", self._mu, "m/mm")
-
-    def reduced(self) -> Drawing:
-        """The same where it shares a page."""
-        return sheet.drawing(self.made, self._reduced_mu)
-
-    @cached_property
-    def _reduced_mu(self) -> float:
-        return sheet.scale(self.made, sheet.SHARED)
-
-    def reduced_scale(self) -> Var:
-        return scale_of("mu_l", self._reduced_mu, "m/mm")

@@ -12,6 +12,7 @@ from tmm_report.mechanics.cams.shapes import (
     Piece,
     Shape,
     Unfit,
+    by_displacement,
     by_velocity,
     lines,
     named,
@@ -119,6 +120,11 @@ class PhaseModel(Model):
         default=None, min_length=3, max_length=MOST,
         description="instead of a law ordinates of velocity to any scale at equal parts of the phase",
     )  # fmt: skip
+    displacement: list[Number] | None = Field(
+        default=None, min_length=4, max_length=MOST,
+        description="instead of a law displacements, to any scale, at equal parts of the phase, its ends "
+        "among them; of a return they fall. A smooth curve goes through them, at rest at both ends",
+    )  # fmt: skip
     divisions: Divisions | None = Field(
         default=None,
         description="of a cam: into so many equal parts the phase is divided, with a table over them",
@@ -129,7 +135,8 @@ class PhaseModel(Model):
         if sum(angle is not None for angle in (self.rise, self.dwell, self.return_)) != 1:
             wrong = Message(N_("a phase is a rise, a dwell or a return, one of them"))
             raise WrongValue(wrong, Message(N_("{rise: 120 deg, law: sine} or {dwell: 30 deg}")))
-        ways = [way for way in (self.law, self.acceleration, self.velocity) if way is not None]
+        graphs = (self.acceleration, self.velocity, self.displacement)
+        ways = [way for way in (self.law, *graphs) if way is not None]
         if len(ways) != (self.dwell is None):
             wrong = Message(N_("a rise and a return have a law, a dwell has none"))
             right = Message(
@@ -153,6 +160,9 @@ class PhaseModel(Model):
             raise WrongValue(Message(text), Message(right)) from None
 
     def _shape(self) -> Shape | None:
+        if self.displacement is not None:
+            way = -1.0 if self.return_ is not None else 1.0
+            return by_displacement([way * y for y in self.displacement])
         if self.velocity is not None:
             return by_velocity(self.velocity)
         if self.acceleration is not None:
@@ -172,6 +182,18 @@ UNFIT = {
     "turns back": (
         N_("by this graph the follower turns back within the phase"),
         N_("for a return too the graph is that of a rise: first above zero, the velocity nowhere below it"),
+    ),
+    "no lift": (
+        N_("these displacements begin and end at the same place"),
+        N_("from the lowest to the highest, such as [0, 3, 10, 17, 20]"),
+    ),
+    "falls back": (
+        N_("by these displacements the follower turns back within the phase"),
+        N_("in a rise none is smaller than the one before, in a return none larger"),
+    ),
+    "swings back": (
+        N_("the smooth curve through these displacements turns back between them"),
+        N_("more of them, or less unlike steps; where the follower stands still, a dwell"),
     ),
 }
 

@@ -66,6 +66,7 @@ LAWS = {
     "modified_sine": N_("modified sine"),
     "polynomial_4567": N_("polynomial 4-5-6-7"),
     "stated": N_("stated"),
+    "tabled": N_("tabulated"),
 }
 NONE = N_("none")
 FORMS = {"line": N_("straight"), "sine": N_("quarter of a sine")}
