@@ -80,7 +80,7 @@ def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Var
     from tmm_report.variant.reading import read as read_blocks
 
     found = read_blocks(document, file, soft, _rooms(), _further)
-    if "drive" in found.data and stated(found):
+    if "drive" in found.data and (stated(found) or "cam" in found.data):
         found = _geared(found, document, file)
     made = Variant(
         lever=LeverGiven(**_given(LEVER, found)) if stated(found) else None,
@@ -113,11 +113,17 @@ def _further(read: Read) -> Iterator[Problem]:
 
 
 def _geared(found: Read, document: yamlread.Document, file: str) -> Read:
-    """The driving link with the speed of the drive's output, where it is to have that. Raises ProblemError."""
+    """The driving link, and a cam alone, with the speed of the drive's output, where they are to have that. Raises
+    ProblemError."""
     from tmm_report.chapters.gears.drive.block import geared
 
     try:
-        return geared(found)
+        found = geared(found)
+        if "cam" in found.data:
+            from tmm_report.chapters.gears.drive import turned_cam
+
+            found = turned_cam.geared(found)
+        return found
     except ProblemError as error:
         problems = [yamlread.located(problem, document.places, file) for problem in error.problems]
         raise ProblemError(problems) from None

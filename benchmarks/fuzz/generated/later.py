@@ -29,6 +29,9 @@ def later(data: Data, random: Random) -> None:
         data["travel"] = _travel(random)
     if not data.get("find") and random.random() < 0.08:
         data["cam"] = cam_alone(random)
+        if "speed" in data.get("drive", {}) and random.random() < 0.5:
+            data["cam"]["speed"] = "drive"
+            data["cam"].pop("rotation", None)
     if not data.get("find") and random.random() < 0.05:
         data["train"] = compound(random)
 

@@ -18,7 +18,7 @@ class Given:
     """A cam with its follower over a turn: `sense` +1 counter-clockwise; `omega`: rad/s, above zero, None where no
     speed is stated; `table`, `diagram`: equal parts of the turn for the tables and the curves;
     `shaft`: its diameter, m; `cutter`: its radius, m, where the path of its centre is asked for; `groove`: the
-    roller runs between two walls."""
+    roller runs between two walls; `driven`: the drive's output shaft turns it."""
 
     cam: Cam
     sense: int
@@ -28,6 +28,7 @@ class Given:
     shaft: float | None = None
     cutter: float | None = None
     groove: bool = False
+    driven: bool = False
 
 
 @dataclass(frozen=True)

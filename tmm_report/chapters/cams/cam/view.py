@@ -63,6 +63,7 @@ class CamsView:
         self.book = Book.of(q.tables(found), q.values(found))
         self.cams = [CamView(one, self.book, position, page) for one in found.cams]
         self.made = [MadeView(one, self.book, page) for one in found.made]
+        self.driven = bool(getattr(found, "driven", False))
 
     def conclusions(self) -> list[Markup]:
         return [text for cam in self.cams for text in cam.conclusions()]

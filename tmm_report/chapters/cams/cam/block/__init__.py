@@ -1,15 +1,16 @@
 """The block `cam` of a variant, a cam that stands alone; and what is stated alike of any cam."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TypedDict
 
 from pydantic import Field
 
-from tmm_report.chapters.cams.cam.block.alone import CamAloneModel
+from tmm_report.chapters.cams.cam.block.alone import DRIVE, CamAloneModel
 from tmm_report.chapters.cams.cam.given import Forces, Given
-from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.problems import N_, Message, Problem, doubt, mistake
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
+from tmm_report.variant.russian import english
 
 
 class Block(model.Block):
@@ -32,8 +33,15 @@ def given(read: Read) -> Taken:
     stated = read.block(Block).cam
     if stated is None:
         return {"cam": None, "cam_forces": None}
-    own = built(stated)
+    own = built(stated, asks_drive(read))
     return {"cam": own, "cam_forces": built_forces(stated, own) if stated.loaded else None}
+
+
+def asks_drive(read: Read) -> bool:
+    """Whether the file leaves the speed of the cam to its drive."""
+    data = read.data.get("cam")
+    speed = english(data.get("speed"), (DRIVE,)) if isinstance(data, Mapping) else None
+    return isinstance(speed, str) and speed.strip() == DRIVE
 
 
 def mistakes(read: Read) -> Iterator[Problem]:
@@ -42,6 +50,11 @@ def mistakes(read: Read) -> Iterator[Problem]:
 
     stated = read.block(Block).cam
     if stated is not None and not read.is_broken("cam"):
+        if stated.driven and "drive" not in read.data:
+            wrong = N_("speed: drive takes the speed of the drive's output shaft, and there is no drive")
+            yield mistake(
+                wrong, ("cam", "speed"), Message(N_("state the block drive, or the speed: 100 rpm"))
+            )
         own, found = tried(stated)
         yield from found
         if stated.loaded and own is not None and not found:

@@ -11,28 +11,31 @@ from tmm_report.chapters.cams.cam.given import Follower
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.russian import english
-from tmm_report.variant.values import Length, Positive, Reads, SignedSpeed, Turn, quantity, whole
+from tmm_report.variant.values import Length, Positive, Reads, Turn, quantity, whole
 
 Count = Annotated[int, whole(12, 360)]
-FREE, CHOSEN = "free", "chosen"
-_LENGTH, _POSITIVE = quantity("length"), quantity("length", 1e-9)
+FREE, CHOSEN, DRIVE = "free", "chosen", "drive"
+_LENGTH, _POSITIVE, _SPEED = quantity("length"), quantity("length", 1e-9), quantity("speed")
 
 
-def _free(length: Reads, left: str = FREE) -> Reads:
-    """A length, or the word that leaves it to be found."""
+def _free(stated: Reads, left: str = FREE, example: str = "12 mm") -> Reads:
+    """A number, or the word that leaves it to be found."""
 
     def read(written: object) -> float | str:
         word = english(written, (left,))
-        return left if isinstance(word, str) and word.strip() == left else length.value(written)
+        return left if isinstance(word, str) and word.strip() == left else stated.value(written)
 
     return Reads(
-        read, {"anyOf": [{"enum": [left]}, dict(length.schema)], "examples": ["12 mm", left]}, "length"
+        read,
+        {"anyOf": [{"enum": [left]}, dict(stated.schema)], "examples": [example, left]},
+        "length" if stated is not _SPEED else "speed",
     )
 
 
 Distance = Annotated[float | Literal["free"], _free(_POSITIVE)]
 Roller = Annotated[float | Literal["chosen"], _free(_POSITIVE, CHOSEN)]
 Offset = Annotated[float | Literal["free"], _free(_LENGTH)]
+CamSpeed = Annotated[float | Literal["drive"], _free(_SPEED, DRIVE, "150 rpm")]
 
 
 class CamAloneModel(LoadedModel, CamStated):
@@ -84,8 +87,9 @@ class CamAloneModel(LoadedModel, CamStated):
         "it, left, right",
     )
     rotation: Turn = Field(default="counter-clockwise", description="the sense in which the cam turns")
-    speed: SignedSpeed | None = Field(
-        default=None, description="of the cam, rad/s or rpm, negative: clockwise", examples=["150 rpm"]
+    speed: CamSpeed | None = Field(
+        default=None,
+        description="of the cam, rad/s or rpm, negative: clockwise; drive: that of the drive's output shaft",
     )
     cutter: Positive | None = Field(
         default=None, description="radius of the cutter, for the path of its centre", examples=["6 mm"]
@@ -101,6 +105,11 @@ class CamAloneModel(LoadedModel, CamStated):
         """Whether the base circle is the smallest: that is so, too, of a task of forces alone, which states none."""
         none = self.base is None and self.pitch_base is None and not self.profile
         return self.base == "smallest" or (none and self.loaded and not self.faced)
+
+    @property
+    def driven(self) -> bool:
+        """Whether the drive is to give its speed."""
+        return self.speed == DRIVE
 
     @property
     def swinging(self) -> bool:

@@ -31,6 +31,7 @@ from tmm_report.mechanics.cams.stated_profile import ByProfile
 from tmm_report.problems import N_, Message, Problem, mistake
 
 UP = 1j
+UNIT = 1.0  # rad/s
 DRAWN = 72  # equal parts of the turn for the curves, at least
 
 
@@ -58,8 +59,8 @@ def _foreign(stated: CamAloneModel) -> Iterator[Problem]:
         yield mistake(foreign[1], ("cam", foreign[0]))
 
 
-def built(stated: CamAloneModel) -> Given:
-    """Raises Wrong."""
+def built(stated: CamAloneModel, driven: bool = False) -> Given:
+    """`driven`: whether the drive has given its speed. Raises Wrong."""
     sense = _sense(stated)
     motion = _swinging(stated, sense) if stated.swinging else _sliding(stated, sense)
     face = _face(motion)
@@ -83,7 +84,7 @@ def built(stated: CamAloneModel) -> Given:
     must_touch(made)
     groove = stated.closure == "groove"
     _must_be_made(made, groove, stated.cutter)
-    omega = None if stated.speed is None else abs(stated.speed)
+    omega = None if stated.speed is None else abs(_speed(stated))
     return Given(
         made,
         sense,
@@ -93,6 +94,7 @@ def built(stated: CamAloneModel) -> Given:
         stated.shaft,
         stated.cutter,
         groove,
+        driven,
     )
 
 
@@ -135,9 +137,9 @@ def _must_be_made(made: Cam, groove: bool, cutter: float | None) -> None:
 
 def _sense(stated: CamAloneModel) -> int:
     sense = 1 if stated.rotation == "counter-clockwise" else -1
-    if stated.speed is None or stated.speed > 0:
+    if stated.speed is None or (speed := _speed(stated)) > 0:
         return sense
-    if stated.speed == 0:
+    if speed == 0:
         raise Wrong(
             "speed", Message(N_("the cam does not turn")), Message(N_("speed: 150 rpm, or leave it out"))
         )
@@ -145,6 +147,11 @@ def _sense(stated: CamAloneModel) -> int:
         text = N_("the sense of rotation is stated twice: by the sign of the speed and by rotation")
         raise Wrong("speed", Message(text), Message(N_("leave the sign or the key rotation")))
     return -1
+
+
+def _speed(stated: CamAloneModel) -> float:
+    """Until the drive has given it, one of any size: what may be wrong of a cam does not depend on that."""
+    return UNIT if stated.speed is None or isinstance(stated.speed, str) else stated.speed
 
 
 def _base(stated: CamAloneModel, roller: float | None) -> float | None:

@@ -87,7 +87,12 @@ def _by_law(
 def best_distance(model: CamStated, alike: bool) -> float:
     """Of the pivots of the smallest cam under a swinging roller or edge, m."""
     arm = getattr(model, "arm", None)
-    if model.base != "smallest" or model.faced or arm is None:
+    if model.faced:
+        text = N_(
+            "under a flat face nothing but the room for both pivots bounds how near they stand: their distance is stated"
+        )
+        raise Wrong("centre_distance", Message(text), Message(N_("centre_distance: 120 mm")))
+    if model.base != "smallest" or arm is None:
         text = N_("a free distance of the pivots is that of the smallest cam under a roller or an edge")
         raise Wrong(
             "centre_distance", Message(text), Message(N_("base: smallest, or centre_distance: 120 mm"))

@@ -19,9 +19,11 @@ LETTERS = ("O", "C")
 
 @dataclass(frozen=True, eq=False)
 class Found(Cams):
-    """Found by `solve`; `sample`: the table position of which formulas are written out."""
+    """Found by `solve`; `sample`: the table position of which formulas are written out; `driven`: whether the drive's
+    output shaft turns it."""
 
     sample: int = 0
+    driven: bool = False
 
     @property
     def sound(self) -> bool:
@@ -44,4 +46,5 @@ def solve(given: Given) -> Found:
     turn = whole_turn(given.cam, given.sense, given.table, given.diagram, given.omega)
     found = replace(pair(given.cam, turn, LETTERS), shaft=given.shaft, groove=given.groove)
     moving = np.flatnonzero(np.abs(found.table.first[: turn.distinct]) > 1e-9 * max(abs(found.lift), 1e-9))
-    return Found((found,), (making(given, found),), int(moving[0]) if moving.size else 0)
+    sample = int(moving[0]) if moving.size else 0
+    return Found((found,), (making(given, found),), sample, given.driven)
