@@ -115,15 +115,11 @@ def _further(read: Read) -> Iterator[Problem]:
 def _geared(found: Read, document: yamlread.Document, file: str) -> Read:
     """The driving link, and a cam alone, with the speed of the drive's output, where they are to have that. Raises
     ProblemError."""
-    from tmm_report.chapters.gears.drive.block import geared
+    from tmm_report.chapters.gears.drive.block import geared, geared_cam
 
     try:
         found = geared(found)
-        if "cam" in found.data:
-            from tmm_report.chapters.gears.drive import turned_cam
-
-            found = turned_cam.geared(found)
-        return found
+        return geared_cam(found) if "cam" in found.data else found
     except ProblemError as error:
         problems = [yamlread.located(problem, document.places, file) for problem in error.problems]
         raise ProblemError(problems) from None

@@ -12,6 +12,7 @@ FACED, DREW = (
     ("tests/chapters/cams/test_faces_and_rules.py",),
     ("tests/chapters/cams/test_centres_drawing.py",),
 )
+DRIVE = "tmm_report/chapters/gears/drive/block.py"
 LINKED = ("tests/chapters/cams/test_cam_on_a_drive.py",)
 NOTED = ("tests/chapters/cams/test_cam_note.py",)
 STATED = ("tests/statements/test_statements.py",)
@@ -100,10 +101,10 @@ FAULTS = (
     Fault("cam table: what swings back is taken", OF_CAMS + "shapes.py", "if np.min(steps) < 0:",
           "if np.min(steps) < -9e9:", CAM_PRESS, ("tests/mechanics/cams/test_shapes.py",)),
     # --- a cam on a drive ---
-    Fault("cam drive: the cam turns the other way", "tmm_report/chapters/gears/drive/turned_cam.py",
-          '"counter-clockwise" if speed > 0', '"counter-clockwise" if speed < 0', CAM_PRESS, LINKED),
-    Fault("cam drive: the speed of the input", "tmm_report/chapters/gears/drive/turned_cam.py",
-          "speed = drive.output_speed(found)", "speed = found.speed", CAM_PRESS, LINKED),
+    Fault("cam drive: the cam turns the other way", DRIVE, '"counter-clockwise" if output > 0',
+          '"counter-clockwise" if output < 0', CAM_PRESS, LINKED),
+    Fault("cam drive: the speed of the input", DRIVE, "output = drive.output_speed(found)", "output = found.speed",
+          CAM_PRESS, LINKED),
     Fault("cam drive: any stated speed is called the drive's", "tmm_report/chapters/cams/cam/block/__init__.py",
           "return isinstance(speed, str) and speed.strip() == DRIVE", "return isinstance(speed, str)", CAM_PRESS,
           LINKED),

@@ -43,6 +43,7 @@ Tolerance = Annotated[float, quantity("number", 0.0, 0.2, "0 … 20 %")]
 Torque = Annotated[float, quantity("moment", 1e-12)]  # the input drives: else there is no efficiency
 
 
+CAM_SPEED = ("cam", "speed")
 SLOWEST = 1e-9  # of the input's speed: a slower output stands still
 
 
@@ -188,6 +189,36 @@ def geared(read: Read) -> Read:
         taken["rotation"] = "counter-clockwise" if speed > 0 else "clockwise"
     moved = model.model_copy(update={"driver": driver.model_copy(update=taken)})
     return replace(read, blocks={**read.blocks, structure.Block: structure.Block(mechanism=moved)})
+
+
+def geared_cam(read: Read) -> Read:
+    """The blocks with the output's speed in the place of `speed: drive` of the cam. Raises ProblemError."""
+    from tmm_report.chapters.cams.cam import block as cam
+
+    stated, model = read.block(cam.Block).cam, read.block(Block).drive
+    found = given(read)["drive"]
+    if stated is None or not stated.driven or model is None or found is None:
+        return read
+    right = Message(N_("state the speed of the cam"))
+    if not math.isfinite(found.speed) or any(getattr(stage, "open", False) for stage in model.stages):
+        wrong = N_(
+            "the motor or the stages of the drive are chosen only when it is solved: the cam has no speed yet"
+        )
+        raise ProblemError([mistake(wrong, CAM_SPEED, right)])
+    output = drive.output_speed(found)
+    if not abs(output) > SLOWEST * abs(found.speed):
+        wrong = N_("the output of the drive stands still, so the cam has no speed")
+        raise ProblemError([mistake(wrong, CAM_SPEED, right)])
+    sense = "counter-clockwise" if output > 0 else "clockwise"
+    if "rotation" in stated.model_fields_set and stated.rotation != sense:
+        wrong = N_("the output of the drive turns the other way, its input turning counter-clockwise")
+        right = Message(N_("leave out rotation, or a speed of the cam that is its own"))
+        raise ProblemError([mistake(wrong, ("cam", "rotation"), right)])
+    turned = stated.model_copy(update={"speed": abs(output), "rotation": sense})
+    made = replace(read, blocks={**read.blocks, cam.Block: cam.Block(cam=turned)})
+    if told := [*cam.mistakes(made)]:
+        raise ProblemError(told)
+    return made
 
 
 def mistakes(read: Read) -> Iterator[Problem]:

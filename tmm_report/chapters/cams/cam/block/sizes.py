@@ -89,7 +89,8 @@ def best_distance(model: CamStated, alike: bool) -> float:
     arm = getattr(model, "arm", None)
     if model.faced:
         text = N_(
-            "under a flat face nothing but the room for both pivots bounds how near they stand: their distance is stated"
+            "under a flat face nothing but the room for both pivots bounds how near they stand: their distance is "
+            "stated"
         )
         raise Wrong("centre_distance", Message(text), Message(N_("centre_distance: 120 mm")))
     if model.base != "smallest" or arm is None:
