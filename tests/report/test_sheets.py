@@ -18,6 +18,7 @@ from tmm_report.profiles import NAMES, shipped
 from tmm_report.report.formats import Html, Tex
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
+from tmm_report.report.paper.rows import Kept, laid
 from tmm_report.report.paper.sheets import CAPTION, USUAL, Paper
 
 SIZES = st.tuples(st.floats(1, 1200), st.floats(1, 1200))
@@ -102,6 +103,39 @@ def test_a_sheet_takes_as_many_figures_as_it_holds():
     assert [sheet.count("<figure>") for sheet in form.due().split('<div class="sheet')[1:]] == [2, 1]
 
 
+def test_a_figure_that_the_text_holds_shares_a_sheet():
+    form = Html()
+    for size in ((200, 60), (100, 60), (100, 60)):
+        form.placed(figure(str(size)), across(*size))
+    first, second = form.due().split("</div>")[:2]
+    assert first.startswith('<div class="sheet a4">') and first.count("<figure>") == 2
+    assert second.strip().startswith("<figure>")  # what the sheet does not hold stands in the text
+
+
+def test_gathered_figures_stand_side_by_side_in_their_order():
+    form = Html()
+    form.gather()
+    for wide, tall in ((70, 90), (80, 20), (60, 30), (60, 205), (20, 10)):
+        assert form.placed(figure(str(wide)), across(wide, tall)) == ""
+    rows = [row.split("</div></div>")[0] for row in form.due().split('<div class="row">')[1:]]
+    assert [re.findall(r"<figure>(\d+)", row) for row in rows] == [["70", "80"]] and not form.gathers
+    assert form.placed(figure("1"), across(100)) == figure("1")  # after the heading they stand where they are
+
+
+@given(st.lists(st.tuples(st.floats(10, 300), st.floats(10, 220)), min_size=1, max_size=9))
+def test_no_figure_is_lost_and_none_wider_than_its_paper(sizes):
+    blocks = laid((Kept(k, size) for k, size in enumerate(sizes)), USUAL)
+    rows = [row for block in blocks for row in block]
+    assert [one.figure for row in rows for one in row.figures] == list(range(len(sizes)))
+    for block in blocks:
+        sheet = block[0].sheet
+        assert all(row.sheet == sheet for row in block) and (sheet or len(block) == 1)
+        if len(block) > 1:
+            assert sum(row.tall for row in block) <= sheet.field[1]
+    for row in rows:
+        assert len(row.figures) == 1 or row.wide <= USUAL.width
+
+
 def test_a_picture_is_drawn_at_its_size_and_never_turned():
     svg = Html().picture(across(300, 5), "figure1")
     assert 'width="300mm" height="5mm"' in svg and "rotate" not in svg
@@ -140,6 +174,29 @@ def printed(files: dict[str, bytes], folder) -> list[tuple[float, float, list[st
         )
         found.append((round(wide), round(tall), re.findall(r">([^<\s]+)</word>", page)))
     return found
+
+
+@pytest.mark.exhaustive
+def test_figures_of_latex_stand_side_by_side(tmp_path):
+    form = Tex()
+    form.gather()
+    for k, size in enumerate(((60, 40), (70, 20), (160, 20))):
+        assert (
+            form.placed(
+                f"figure{k}", Markup(f"No{k}"), form.picture(across(*size), f"figure{k}"), across(*size)
+            )
+            == ""
+        )
+    body = form.due()
+    assert body.count("begin{NoteInRow}") == 2 and body.count("begin{NoteFigure}") == 1
+    given = {"page": Page(Tex(), Translator("en"), Numbering()), "title": None, "head": "", "body": [body]}
+    given |= {name: getattr(given["page"], name) for name in ("t", "math", "sym", "unit", "listed")}
+    m = template("macros.tex.j2").make_module(given)
+    text = template("report.tex.j2").render(given | {"m": m})
+    pages = printed({"note.tex": text.encode(), **form.files}, tmp_path)
+    assert [[word for word in words if word.startswith("No")] for *_, words in pages if "No0" in words] == [
+        ["No0", "No1", "No2"]
+    ]
 
 
 @pytest.mark.exhaustive

@@ -6,7 +6,7 @@ Whatever is not Markup is escaped for its format, so that a name from a variant 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import field
 from functools import lru_cache
 from typing import Any, Protocol
@@ -22,7 +22,8 @@ from tmm_report.records import dataclass
 from tmm_report.report.paper.layout import Cell, Words
 from tmm_report.report.paper.lines import broken, finer, pieces
 from tmm_report.report.paper.measure import breakable
-from tmm_report.report.paper.sheets import CAPTION, USUAL, Paper, Sheet
+from tmm_report.report.paper.rows import Kept, Row, laid
+from tmm_report.report.paper.sheets import USUAL, Paper
 
 
 class Mathematics(Protocol):
@@ -39,14 +40,15 @@ class Html:
 
     `breaking`: whether a line may break within words longer than any of a language, as in a note.
     `waiting`: figures that have sheets of their own, and those behind them: they stand before the next heading,
-    together, so that the text goes on and is broken once.
+    together, so that the text goes on and is broken once; `gathers`: so all others, too.
     """
 
     name = "html"
     breaking: bool = False
     paper: Paper = USUAL
     files: dict[str, bytes] = field(default_factory=dict)
-    waiting: list[tuple[Sheet | None, float, Markup]] = field(default_factory=list)
+    waiting: list[Kept[Markup]] = field(default_factory=list)
+    gathers: bool = False
 
     def escape(self, text: str) -> Markup:
         return _escaped(text, self.breaking)
@@ -69,36 +71,49 @@ class Html:
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         return Markup(svg(_drawing(picture)))
 
+    def gather(self) -> Markup:
+        """From here on figures wait for the next heading, so that they share the paper."""
+        self.gathers = True
+        return Markup("")
+
     def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
         """A figure with its caption where it stands: in the text, or behind those that wait."""
-        sheet = self.paper.sheet_of(picture.size)
-        if sheet is None and not self.waiting:
+        if not self.gathers and not self.waiting and self.paper.sheet_of(picture.size) is None:
             return figure
-        self.waiting.append((sheet, picture.size[1] + CAPTION, figure))
+        self.waiting.append(Kept(figure, picture.size))
         return Markup("")
+
+    def flowing(self) -> Markup:
+        """At a heading that the text goes on with: figures that wait for a sheet wait on, and those behind them."""
+        return Markup("") if any(self.paper.sheet_of(one.size) for one in self.waiting) else self.due()
 
     def apart(self, write: Callable[[], Markup]) -> Markup:
         """What stands elsewhere, in an appendix, with the sheets of its own figures."""
-        before, self.waiting = self.waiting, []
+        before, self.waiting, self.gathers = (self.waiting, self.gathers), [], False
         try:
             return write() + self.due()
         finally:
-            self.waiting = before
+            self.waiting, self.gathers = before
 
     def due(self) -> Markup:
-        """The sheets of the figures that wait; those that one sheet holds stand one above another."""
-        sheets: list[tuple[Sheet | None, float, Markup]] = []
-        for sheet, tall, figure in self.waiting:
-            if sheet and sheets and sheets[-1][0] == sheet and sheets[-1][1] + tall <= sheet.field[1]:
-                _, taken, above = sheets.pop()
-                tall, figure = taken + tall, above + figure
-            sheets.append((sheet, tall, figure))
-        self.waiting.clear()
-        drawn = [
-            f'<div class="sheet {sheet.name}">\n{figure}</div>\n' if sheet else figure
-            for sheet, _, figure in sheets
-        ]
-        return Markup("".join(drawn))
+        """The figures that wait, side by side and on sheets."""
+        blocks = laid(self.waiting, self.paper)
+        self.waiting, self.gathers = [], False
+        return Markup("".join(map(_block, blocks)))
+
+
+def _block(rows: Sequence[Row[Markup]]) -> Markup:
+    """Rows of figures on a sheet, or one in the text."""
+    figures = Markup("").join(map(_row, rows))
+    sheet = rows[0].sheet
+    return Markup(f'<div class="sheet {sheet.name}">\n{figures}</div>\n') if sheet else figures
+
+
+def _row(row: Row[Markup]) -> Markup:
+    if len(row.figures) == 1:
+        return row.figures[0].figure
+    beside = [f'<div style="flex:1 1 {one.wide:.1f}mm">{one.figure}</div>' for one in row.figures]
+    return Markup(f'<div class="row">\n{"".join(beside)}</div>\n')
 
 
 @lru_cache(maxsize=4096)
@@ -118,6 +133,8 @@ class Tex:
     name = "tex"
     paper: Paper = USUAL
     files: dict[str, bytes] = field(default_factory=dict)
+    waiting: list[Kept[tuple[str, Markup, Markup]]] = field(default_factory=list)
+    gathers: bool = False
 
     def escape(self, text: str) -> Markup:
         return Markup(_BREAK_TEX.join(map(tex_escape, breakable(text))))
@@ -130,8 +147,41 @@ class Tex:
         line = self.paper.line
         return Markup("".join(_displayed(one, line) for one in pieces(text)) if display else f"${text}$")
 
+    def gather(self) -> Markup:
+        """As in HTML, of the figures that the text holds."""
+        self.gathers = True
+        return Markup("")
+
+    def placed(self, anchor: str, caption: Markup, drawn: Markup, picture: Drawing | Graph) -> Markup:
+        """A figure where it stands, in the text or behind those that wait; a sheet follows them."""
+        if self.gathers and self.paper.sheet_of(picture.size) is None:
+            self.waiting.append(Kept((anchor, caption, drawn), picture.size))
+            return Markup("")
+        before, self.waiting = self._rows(), []
+        paper = self.sheet(picture)
+        kind, more = ("NoteSheet", f"{{{paper}}}") if paper else ("NoteFigure", "")
+        return before + Markup(
+            f"\\begin{{{kind}}}{{{anchor}}}{{{caption}}}{more}\n\n{drawn}%\n\\end{{{kind}}}\n\n"
+        )
+
+    def due(self) -> Markup:
+        """The figures that wait, side by side."""
+        rows, self.waiting, self.gathers = self._rows(), [], False
+        return rows
+
+    def _rows(self) -> Markup:
+        return Markup("").join(_tex_row(row, self.paper) for rows in laid(self.waiting, self.paper) for row in rows)
+
+    def flowing(self) -> Markup:
+        """As in HTML: sheets of LaTeX wait by themselves."""
+        return self.due()
+
     def apart(self, write: Callable[[], Markup]) -> Markup:
-        return write()
+        before, self.waiting, self.gathers = (self.waiting, self.gathers), [], False
+        try:
+            return write() + self.due()
+        finally:
+            self.waiting, self.gathers = before
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         name = f"figures/{anchor}.tex"
@@ -146,6 +196,20 @@ class Tex:
         found = self.paper.sheet_of(picture.size)
         sizes = () if found is None else (found.wide, found.tall, *found.field, *found.corner)
         return Markup("".join(f"{{{size:g}mm}}" for size in sizes))
+
+
+def _tex_row(row: Row[tuple[str, Markup, Markup]], paper: Paper) -> Markup:
+    """Figures side by side: what is left of the width of the text is shared among them."""
+    more = (paper.width - row.wide) / len(row.figures)
+    if len(row.figures) == 1:
+        anchor, caption, drawn = row.figures[0].figure
+        return Markup(f"\\begin{{NoteFigure}}{{{anchor}}}{{{caption}}}\n\n{drawn}%\n\\end{{NoteFigure}}\n\n")
+    beside = list[str]()
+    for one in row.figures:
+        anchor, caption, drawn = one.figure
+        head = f"{{{one.wide + more:.1f}mm}}{{{anchor}}}{{{caption}}}"
+        beside.append(f"\\begin{{NoteInRow}}{head}\n{drawn}%\n\\end{{NoteInRow}}%\n")
+    return Markup("\\begin{NoteRow}\n" + "\\hfill\n".join(beside) + "\\end{NoteRow}\n\n")
 
 
 def _displayed(piece: str, line: float) -> str:
