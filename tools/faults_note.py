@@ -325,7 +325,7 @@ FAULTS = (
           "        if self.fits(size) or size[0] < 300:\n            return None",
           tests=("tests/report/test_sheets.py",)),
     Fault("sheets of a note out of their order", "tmm_report/report/formats.py",
-          "and not self.waiting and sheet_of(picture.size) is None:", "and sheet_of(picture.size) is None:",
+          "and not self.waiting and self.paper.sheet_of(", "and self.paper.sheet_of(",
           tests=("tests/report/test_depth.py",)),
     Fault("a sheet of LaTeX without its number", "templates/report.tex.j2",
           r"\global\advance\NoteSheetsOut1 \stepcounter{page}%", r"\global\advance\NoteSheetsOut1 %",

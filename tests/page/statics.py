@@ -16,7 +16,8 @@ import numpy as np
 import yaml
 from conftest import path_of
 from note import Note
-from pages import BALANCING, by_positions, columns, table_of
+from pages import BALANCING, columns, table_of
+from printed import Printed
 
 
 class Force(NamedTuple):
@@ -226,19 +227,21 @@ def touching(drawn: Scheme, places: Places, links: frozenset[str]) -> np.ndarray
     return places[one] + share * (places[other] - places[one])
 
 
+def weights(note: Note) -> dict[str, Printed]:
+    """Those that the text says, by their symbols."""
+    said = (one for one in note.formulas if not one.display and re.fullmatch(r"G_\d+", one.symbol))
+    return {one.symbol: one.result for one in said if one.result is not None and one.unit_text in ("N", "Н")}
+
+
 def loads(note: Note, document: dict[str, Any], drawn: Scheme, places: Places) -> Iterator[Force]:
     """Weights, inertia forces and couples, stated moments, the balancing moment."""
     found, rates = columns(note), table_of(document, "rates_table")
     acting = table_of(document, "loads_table")
     count = len(rates["position"])
     zeros = np.zeros(count)
-    for table in note.tables:
-        for j, head in enumerate(table.heads):
-            if head.symbol.startswith("G_") and not by_positions(table) and table.rows[0][j].printed:
-                weight, link = table.rows[0][j].printed, head.symbol[2:]
-                assert weight is not None
-                at = places[drawn.mass_centres[link]]
-                yield Force(head.symbol, link, at, zeros - 1j * weight.value, zeros + weight.half)
+    for symbol, weight in weights(note).items():
+        at = places[drawn.mass_centres[symbol[2:]]]
+        yield Force(symbol, symbol[2:], at, zeros - 1j * weight.value, zeros + weight.half)
     for symbol, entries in found.items():
         column = entries[0][1]
         inertia = re.fullmatch(r"([FM])_I([\d]+)", symbol)

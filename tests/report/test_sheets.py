@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import subprocess
+from types import SimpleNamespace
 
 import pytest
 from hypothesis import given
@@ -21,6 +22,7 @@ from tmm_report.report.page import Page, template
 from tmm_report.report.paper.rows import Kept, laid
 from tmm_report.report.paper.sheets import CAPTION, USUAL, Paper
 
+TITLE = SimpleNamespace(topic="", student="")
 SIZES = st.tuples(st.floats(1, 1200), st.floats(1, 1200))
 
 
@@ -148,7 +150,7 @@ def test_a_picture_is_drawn_at_its_size_and_never_turned():
 def note(*sizes: tuple[float, float]) -> dict[str, bytes]:
     """Text with a figure of each size behind each paragraph."""
     page = Page(Tex(), Translator("en"), Numbering())
-    given = {"page": page, "title": None} | {
+    given = {"page": page, "title": TITLE} | {
         name: getattr(page, name) for name in ("t", "math", "sym", "unit", "listed")
     }
     m = template("macros.tex.j2").make_module(given)
@@ -189,7 +191,7 @@ def test_figures_of_latex_stand_side_by_side(tmp_path):
         )
     body = form.due()
     assert body.count("begin{NoteInRow}") == 2 and body.count("begin{NoteFigure}") == 1
-    given = {"page": Page(Tex(), Translator("en"), Numbering()), "title": None, "head": "", "body": [body]}
+    given = {"page": Page(Tex(), Translator("en"), Numbering()), "title": TITLE, "head": "", "body": [body]}
     given |= {name: getattr(given["page"], name) for name in ("t", "math", "sym", "unit", "listed")}
     m = template("macros.tex.j2").make_module(given)
     text = template("report.tex.j2").render(given | {"m": m})

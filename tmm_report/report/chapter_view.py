@@ -24,9 +24,11 @@ from tmm_report.report.paper.layout import numeric
 class BookView:
     """`book`: tables and single values of the chapter, found here without `prefix`, with which their names begin in the
     results. `own`: whether its letters are its own, to be explained again where another chapter has explained them as
-    something else."""
+    something else. `kinds_once`: whether of what is called alike, as reactions are but for their links, a "where" list
+    explains the first for all."""
 
     own = False
+    kinds_once = False
 
     def __init__(self, page: Page, book: Book, prefix: str = ""):
         self.page, self.t, self.book, self.prefix = page, page.t, book, prefix
@@ -74,6 +76,8 @@ class BookView:
     def where(self, *formulas: Formula | Equation) -> list[dict[str, Any]]:
         """What a "where" list says of the quantities of the formulas."""
         items = self.page.where(*formulas)
+        if self.kinds_once:
+            items = [{**item, "kind": item["message"].text} if item["message"] else item for item in items]
         return [{**item, "id": (self.prefix, item["id"])} for item in items] if self.own else items
 
     def explained(self, *keys: str) -> list[dict[str, Any]]:

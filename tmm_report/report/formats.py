@@ -170,7 +170,9 @@ class Tex:
         return rows
 
     def _rows(self) -> Markup:
-        return Markup("").join(_tex_row(row, self.paper) for rows in laid(self.waiting, self.paper) for row in rows)
+        return Markup("").join(
+            _tex_row(row, self.paper) for rows in laid(self.waiting, self.paper) for row in rows
+        )
 
     def flowing(self) -> Markup:
         """As in HTML: sheets of LaTeX wait by themselves."""

@@ -169,12 +169,13 @@ class Numbering:
         return re.sub(r"<p>\s*</p>\n?", "", text)
 
     def fresh(self, items: Iterable[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-        """Those of a "where" list's items that have not been explained before, by their "id", nor as the same symbol
-        in the same words by another."""
+        """Those of a "where" list's items that have not been explained before, by their "id" or "kind", nor as the same
+        symbol in the same words by another."""
         new = []
         for item in items:
-            says = {item["id"], (item["symbol"], str(item["meaning"]))}
-            if says.isdisjoint(self._explained):
+            kind, says = item.get("kind", item["id"]), {item["id"], (item["symbol"], str(item["meaning"]))}
+            if kind not in self._explained and says.isdisjoint(self._explained):
+                self._explained.add(kind)
                 new.append(item)
             self._explained |= says
         return new

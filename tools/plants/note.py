@@ -6,6 +6,9 @@ DEPTH = ("tests/report/test_depth.py",)
 ALIKE = ("tests/page/tables/test_alike.py",)
 KINDS = ("tests/report/test_kinds.py",)
 TRANSLATE = ("tests/chapters/lever/test_translating_links.py",)
+SHEETS = ("tests/report/test_sheets.py",)
+ORDER = ("tests/chapters/lever/force_plans/test_order_of_forces.py",)
+FORCES = "tmm_report/chapters/lever/force_plans/"
 FAULTS = (
     # --- pieces of the note ---
     Fault("what an appendix explains taken for explained", "tmm_report/report/numbering.py",
@@ -63,4 +66,22 @@ FAULTS = (
           "initial=0.0) <= least)", "initial=0.0) >= least)", tests=TRANSLATE),
     Fault("the scheme in the text at a coarser scale than is said", "tmm_report/report/schemes.py",
           "self._drawn(position, mu)", "self._drawn(position, 2 * mu)", "compressor"),
+    # --- figures that share the paper ---
+    Fault("figures side by side wider than the page", "tmm_report/report/paper/rows.py",
+          "wider.wide <= paper.width", "wider.wide <= 2 * paper.width", tests=SHEETS),
+    Fault("figures of a sheet higher than it", "tmm_report/report/paper/rows.py",
+          "for one in (*rows, row)) > sheet.field[1]", "for one in rows) > sheet.field[1]", tests=SHEETS),
+    Fault("gathered figures of LaTeX lost", "tmm_report/report/formats.py",
+          "_tex_row(row, self.paper) for rows in laid(", "_tex_row(row, self.paper) for rows in 0 * laid(",
+          tests=SHEETS),
+    # --- force plans as a person draws them ---
+    Fault("unknowns of a force equation both at its end", FORCES + "drafting/dyad.py",
+          "[[*reversed(on_b), *loads, *on_a], []]", "[[*loads, *on_a, *reversed(on_b)], []]", tests=ORDER),
+    Fault("the tangential component outside the normal one", FORCES + "drafting/dyad.py",
+          "[[*reversed(on_b), *loads, *on_a], []]", "[[*on_b, *loads, *on_a], []]", tests=ORDER),
+    Fault("lengths of vectors beside other forces", FORCES + "view.py",
+          "Cell(self.page.num(worked.rows[key][1], 7), worked.ref(key))",
+          "Cell(self.page.num(2 * worked.rows[key][1], 7), worked.ref(key))", "compressor"),
+    Fault("every reaction explained again", "tmm_report/report/numbering.py",
+          'item.get("kind", item["id"]), {item["id"]', 'item["id"], {item["id"]', tests=ORDER),
 )  # fmt: skip

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 from note import Note
-from pages import by_positions, columns, rows_of, table_of
+from pages import columns, rows_of, table_of
 from reading import LINKAGES, html, results, wrong
-from statics import scheme, unbalanced
+from statics import scheme, unbalanced, weights
 
 
 @pytest.mark.parametrize("name", LINKAGES)
@@ -50,16 +50,11 @@ def wrong_inertia(note: Note, document: dict[str, Any], name: str) -> Iterator[s
 
 
 def wrong_weights(note: Note, name: str) -> Iterator[str]:
-    gravity, found = scheme(name).gravity, 0
-    for table in note.tables:
-        for j, head in enumerate(table.heads):
-            if head.symbol.startswith("G_") and not by_positions(table):
-                found += 1
-                m, dm, *_ = masses(note)[head.symbol[2:]]
-                weight = table.rows[0][j].printed
-                assert weight is not None
-                if abs(weight.value - m * gravity) > weight.half + dm * gravity:
-                    yield f"{head.symbol} is {weight.value}, m g is {m * gravity:.6g}"
+    gravity, found = scheme(name).gravity, weights(note)
+    for symbol, weight in found.items():
+        m, dm, *_ = masses(note)[symbol[2:]]
+        if abs(weight.value - m * gravity) > weight.half + dm * gravity:
+            yield f"{symbol} is {weight.value}, m g is {m * gravity:.6g}"
     if gravity and not found:
         yield "no weights are printed"
 

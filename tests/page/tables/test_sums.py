@@ -209,7 +209,7 @@ def wrong_segments(note: Note) -> Iterator[str]:
                 if symbol[0] in "va" and value.value:
                     yield f"{table.caption}: {symbol} has no segment"
                 continue
-            mu, mm = scale["μ_v" if symbol.startswith("v") else "μ_a"], sized(segment)
+            mu, mm = scale[f"μ_{symbol[0] if symbol[0] in 'va' else 'F'}"], sized(segment)
             seen += 1
             if all(abs(value.value - mm.value * x) > value.result_off + mm.half * x for x in mu):
                 yield f"{table.caption}: {symbol} is {value.value} by {mm.value} mm and {mu}"

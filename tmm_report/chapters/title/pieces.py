@@ -36,8 +36,31 @@ PIECES: dict[str, Piece] = {
     "plans.compared": Piece(N_("comparison of the methods at the positions whose plans are not worked out")),
     "kinetostatics.directions": Piece(N_("directions of the reactions"), course="appendix"),
     "kinetostatics.curves": Piece(N_("diagrams and hodographs of the reactions"), course="appendix"),
-    "kinetostatics.extremes": Piece(N_("extremes of the reactions over the cycle")),
-    "kinetostatics.works": Piece(N_("driving and resisting loads and their works")),
+    "kinetostatics.extremes": Piece(N_("extremes of the reactions over the cycle"), course="appendix"),
+    "kinetostatics.projections": Piece(
+        N_("extremes of the projections of the reactions over the cycle"), course="appendix"
+    ),
+    "kinetostatics.methods": Piece(
+        N_("the balancing moment by three methods, position by position"), course="appendix"
+    ),
+    "kinetostatics.works": Piece(
+        N_("driving and resisting loads, their works and senses of the moment"), course="appendix"
+    ),
+    "kinetostatics.powers": Piece(N_("powers of the loads at a position, where no lever is drawn")),
+    "force_plans.others": Piece(
+        N_("force plans of the positions after the first one, worked out"), course="omit"
+    ),
+    "force_plans.groups": Piece(N_("force plans of the groups after the first one, worked out")),
+    "force_plans.formulas": Piece(
+        N_("inertia forces and readings of the force plans after the first of a kind, worked out"),
+        course="omit",
+    ),
+    "force_plans.lever": Piece(N_("Zhukovsky's lever, drawn")),
+    "friction.formulas": Piece(
+        N_("power of friction in every pair, worked out; efficiency by moments"), course="omit"
+    ),
+    "friction.pairs": Piece(N_("power of friction in each pair, position by position"), course="appendix"),
+    "friction.diagram": Piece(N_("power of friction and efficiency over the cycle, drawn")),
     "friction.corrected": Piece(N_("reactions corrected for friction"), course="appendix"),
     "cam.zone": Piece(N_("where the axis of a cam may stand, drawn")),
     "cam.free": Piece(
@@ -78,6 +101,16 @@ PIECES: dict[str, Piece] = {
     ),
     "flywheel.speeds": Piece(
         N_("speeds over the cycle with and without the flywheel, the motion in two ways"), course="omit"
+    ),
+    "balancing.substituted": Piece(
+        N_("masses of the links substituted into their joints, worked out"), course="appendix"
+    ),
+    "balancing.positions": Piece(N_("shaking force and moment before balancing, position by position")),
+    "balancing.means": Piece(N_("what the ways of balancing after the first one do")),
+    "balancing.ways": Piece(N_("counterweights after the first one, worked out"), course="omit"),
+    "balancing.hodographs": Piece(N_("hodographs of the shaking force by the ways of balancing")),
+    "balancing.diagrams": Piece(
+        N_("shaking force and moment over the cycle by the ways of balancing, drawn"), course="appendix"
     ),
     "balancing.left": Piece(
         N_("shaking force and moment after balancing, position by position"), course="appendix"

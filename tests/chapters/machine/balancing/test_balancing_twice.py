@@ -76,7 +76,7 @@ def test_every_formula_of_a_row_gives_its_number(found):
     for row in range(len(found.substituted.splits)):
         formulas += [*view.split_formulas(row), *view.three_masses(row)]
     for case in found.cases:
-        formulas += view.counterweight_formulas(case)
+        formulas += [one for own in view.counterweight_formulas(case) for one in own]
     formulas += [*view.rotor_formulas(), *view.couple_formulas()]
     if view.takes:
         formulas.append(view.wheel_formula(view.geared))

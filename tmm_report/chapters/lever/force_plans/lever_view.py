@@ -15,7 +15,7 @@ from tmm_report.problems import N_
 from tmm_report.quantity.model import Book
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import DASH, Table, worded
+from tmm_report.report.paper.layout import Cell, Table, worded
 from tmm_report.report.part import Part
 
 WAYS = {
@@ -26,14 +26,17 @@ WAYS = {
 PLANS = N_("by the force plans")
 
 
-def part(levers: tuple[Lever, ...], book: Book, page: Page) -> Part:
-    return Part("lever/force_plans/lever", LeverView(levers, book, page), concludes=False)
+def part(levers: tuple[Lever, ...], first: int, book: Book, page: Page) -> Part:
+    """`first`: the position that is worked out in full."""
+    return Part("lever/force_plans/lever", LeverView(levers, first, book, page), concludes=False)
 
 
 class LeverView(BookView):
-    def __init__(self, levers: tuple[Lever, ...], book: Book, page: Page):
+    kinds_once = True
+
+    def __init__(self, levers: tuple[Lever, ...], first: int, book: Book, page: Page):
         super().__init__(page, book)
-        self.levers = levers
+        self.levers, self.first = levers, first
         self.picture = cache(self._picture)
 
     def conclusions(self) -> Sequence[Markup]:
@@ -49,7 +52,7 @@ class LeverView(BookView):
             [
                 self.page.sym(arm.quantity.sign), self.page.word(str(table["point"].values[row]), table, "point", row),
                 self.page.cell(table, "size", row), self.page.cell(table, "arm_mm", row, digits=7),
-                self.page.cell(table, "moment", row),
+                Cell(self.page.cell(table, "moment", row), table.ref("moment", row)),  # of forces of any size
             ]
             for row, arm in enumerate([*lever.arms, lever.driving])
         ]  # fmt: skip
@@ -60,22 +63,22 @@ class LeverView(BookView):
         ]  # fmt: skip
         return worded(caption, heads, rows, (2, 2, 3, 3, 3))
 
-    def compared(self, caption: Any, lever: Lever) -> Table:
+    def compared(self, lever: Lever) -> Markup:
+        """What the other ways give, with the difference of the lever from it."""
         table, key = self.table(f"lever_compared_{lever.position}"), "force" if lever.thrust else "moment"
-        rows = [
-            [
-                self.page.word(self._way(one.key, lever.thrust), table, "way", row),
-                self.page.cell(table, key, row),
-                DASH if one.delta is None else self.page.cell(table, "delta", row, places=3),
-            ]
-            for row, one in enumerate(lever.compared)
-        ]
-        heads = [
-            self.t("Balancing force") if lever.thrust else self.t("Balancing moment"),
-            self.page.head(table[key].symbol(), table[key].unit),
-            self.t("Difference of the lever, %%"),
-        ]  # fmt: skip
-        return worded(caption, heads, rows, (5, 3, 3))
+        unit = self.page.unit(table[key].unit)
+        said = []
+        for row, one in enumerate(lever.compared):
+            way = self.page.word(self._way(one.key, lever.thrust), table, "way", row)
+            value = self.page.shown(table, key, row)
+            text = (
+                N_("%(way)s %(value)s %(unit)s")
+                if one.delta is None
+                else N_("%(way)s %(value)s %(unit)s (%(delta)s %%)")
+            )
+            delta = {} if one.delta is None else {"delta": self.page.shown(table, "delta", row, places=3)}
+            said.append(self.t(text, way=way, value=value, unit=unit, **delta))
+        return self.page.listed(said, "; ")
 
     def _way(self, key: str, thrust: bool) -> Markup:
         text = PLANS if thrust and key == "force_plan" else WAYS[key]

@@ -21,20 +21,21 @@ from tmm_report.mechanics.lever.driving.stroke import Stroke
 from tmm_report.mechanics.lever.wheels.coupled import Coupled
 from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
-from tmm_report.quantity.formula import Var
+from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Book, Quantity
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.comparison import comparison_table
 from tmm_report.report.diagrams import scale_of
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Table, worded
+from tmm_report.report.paper.layout import Cell, Table, worded
 from tmm_report.report.part import Part
 from tmm_report.report.words import group_label
 
 if TYPE_CHECKING:
     from tmm_report.course import LeverFound
 
+DRIVING = ("driver", "led", "line", "thrust")  # stages of what drives
 MOVED = ("wheel", "rolling", "rack")
 REDUCED_ARM = Definition("h", Var("M_I", 0.0) / Var("F_I", 0.0))
 
@@ -43,10 +44,12 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
     if lever.force_plans is not None:
         view = ForcePlansView(lever, lever.force_plans, page)
         yield Part("lever/force_plans", view)
-        yield lever_view.part(lever.force_plans.levers, view.book, page)
+        yield lever_view.part(lever.force_plans.levers, view.first, view.book, page)
 
 
 class ForcePlansView(BookView):
+    kinds_once = True
+    driving = DRIVING
     reduced_arm = REDUCED_ARM
     label = staticmethod(group_label)
 
@@ -54,6 +57,10 @@ class ForcePlansView(BookView):
         super().__init__(page, Book.of(q.tables(found), q.values(found)))
         self.found, self.pairs = found, lever.structure.pairs
         self.kinematics, self.length_scale = lever.kinematics, lever.plans.length_scale
+        drawn = [one.position for one in found.drawn]
+        self.first = (
+            lever.sample if lever.sample in drawn else next(iter(drawn), 0)
+        )  # that is worked out in full
         self.picture = cache(self._picture)
         forces, self.ties = lever.kinetostatics, tuple(ties_of(lever))
         self.couples = forces is not None and bool(forces.table.loading.couples)
@@ -83,6 +90,20 @@ class ForcePlansView(BookView):
         """mu_F of a plan with its value."""
         return self.page.value(drawn.worked[1 + drawn.plans.index(plan)].number(q.MU_F, plan.scale))
 
+    # ------------------------------------------------------------ formulas
+
+    def leading(self, drawn: ForceDrawn, formulas: Sequence[Formula]) -> list[Formula]:
+        """Of the inertia forces or readings of a position those that stand for their kind, each the first of it."""
+        first: dict[tuple[str, str], Formula] = {}
+        for one in (*drawn.inertia, *(one for plan in drawn.plans for one in plan.readings)):
+            first.setdefault((Var(one.result, 0.0).sign.base, one.unit), one)
+        return [one for one in formulas if any(one is leader for leader in first.values())]
+
+    def following(self, drawn: ForceDrawn, formulas: Sequence[Formula]) -> list[Formula]:
+        """The others."""
+        leading = self.leading(drawn, formulas)
+        return [one for one in formulas if not any(one is leader for leader in leading)]
+
     def solution(self, plan: ForcePlan) -> Markup:
         return self.page.listed(self.page.value(var, digits=5) for var in plan.solution)
 
@@ -105,22 +126,16 @@ class ForcePlansView(BookView):
         """Of the scheme of some links of a plan."""
         told = {"k": drawn.position, "scale": self.page.value(self.scheme_scale)}
         if plan.stage == "driver":
-            return self.t(
-                "Loading of the driving link, position %(k)s, %(scale)s; forces are not to scale", **told
-            )
+            return self.t("Loading of the driving link, position %(k)s, %(scale)s", **told)
         if plan.stage != "group":
-            text = N_("Loading of link %(links)s, position %(k)s, %(scale)s; forces are not to scale")
-            several = N_("Loading of links %(links)s, position %(k)s, %(scale)s; forces are not to scale")
+            text = N_("Loading of link %(links)s, position %(k)s, %(scale)s")
+            several = N_("Loading of links %(links)s, position %(k)s, %(scale)s")
             return self.t(text if len(links) == 1 else several, links=self.page.listed(links), **told)
         told["group"] = self.label(plan.label)
         if len(links) == 1:
-            text = N_(
-                "Loading of link %(link)s of the group %(group)s, position %(k)s, %(scale)s; forces are not to scale"
-            )
+            text = N_("Loading of link %(link)s of the group %(group)s, position %(k)s, %(scale)s")
             return self.t(text, link=links[0], **told)
-        return self.t(
-            "Loading of the group %(group)s, position %(k)s, %(scale)s; forces are not to scale", **told
-        )
+        return self.t("Loading of the group %(group)s, position %(k)s, %(scale)s", **told)
 
     def plan_caption(self, drawn: ForceDrawn, plan: ForcePlan) -> Markup:
         told = {"k": drawn.position, "scale": self.scale(drawn, plan)}
@@ -202,4 +217,13 @@ class ForcePlansView(BookView):
     def comparison(self, caption: Any, drawn: ForceDrawn) -> Table:
         table = self.table(f"force_comparison_{drawn.position}")
         named = {quantity.key: quantity for quantity in q.compared(drawn)}
-        return comparison_table(self.page, caption, table, named, drawn.position)
+        return comparison_table(self.page, caption, table, named, drawn.position, self._segments(drawn))
+
+    def _segments(self, drawn: ForceDrawn) -> dict[str, Cell]:
+        """Lengths of the vectors read off the plans, mm, by the forces that they give."""
+        found = {}
+        for worked in drawn.worked:
+            for of in q.compared(drawn):
+                if (key := q.drawn_length(of).key) in worked.rows:
+                    found[of.key] = Cell(self.page.num(worked.rows[key][1], 7), worked.ref(key))
+        return found

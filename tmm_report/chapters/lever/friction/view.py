@@ -166,10 +166,16 @@ class FrictionView(SlidingView):
         return self.page.cell(table, "d", row) if known else Cell("—", table.ref("d", row))
 
     def losses(self, caption: Any) -> Table:
-        """Power lost in each pair, in all of them, and the efficiency."""
-        keys = [*(q.lost(pair, self.pairs).key for pair in self.pairs), "P_fr", "P_drive", self.reduced_key]
+        """Power lost in all pairs, and the efficiency."""
+        keys = ["P_fr", "P_drive", self.reduced_key]
         return self.by_positions(
             caption, "friction_table", [*keys, self.column("friction_table", "eta", digits=4)]
+        )
+
+    def lost_in_pairs(self, caption: Any) -> Table:
+        """Power lost in each pair."""
+        return self.by_positions(
+            caption, "friction_table", [q.lost(pair, self.pairs).key for pair in self.pairs]
         )
 
     # ------------------------------------------------------------ the slider that tilts
@@ -189,10 +195,23 @@ class FrictionView(SlidingView):
 
     # ------------------------------------------------------------ formulas of the sample position
 
-    def sample(self) -> list[Formula]:
-        """Power lost in each pair, before it the force that presses each slider of stated length."""
-        losses = [self._loss(row, loss) for row, loss in enumerate(self.found.table.pairs)]
-        return [*(self._pressing(row, loss) for row, loss in self.guides), *losses]
+    def leading(self) -> list[Formula]:
+        """The first of each kind: of pivots and of guides, with and without a stated length."""
+        return [formulas[0] for formulas in self._by_kinds()]
+
+    def following(self) -> list[Formula]:
+        """The others."""
+        return [one for formulas in self._by_kinds() for one in formulas[1:]]
+
+    def _by_kinds(self) -> list[list[Formula]]:
+        kinds: dict[str, list[Formula]] = {}
+        for row, loss in enumerate(self.found.table.pairs):
+            tilts = loss.couple is not None and self.position in tilted(loss)
+            kind = f"{loss.pair.kind}{loss.couple is not None}{tilts}"
+            if loss.couple is not None:
+                kinds.setdefault(f"pressed {kind}", []).append(self._pressing(row, loss))
+            kinds.setdefault(kind, []).append(self._loss(row, loss))
+        return list(kinds.values())
 
     def _pressing(self, row: int, loss: PairLoss) -> Formula:
         """The reaction, or where the slider tilts the sum of the forces at its ends."""

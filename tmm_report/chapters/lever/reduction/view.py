@@ -44,6 +44,8 @@ def _moving(found: Reduction, position: int) -> int:
 
 
 class ReductionView(BookView):
+    kinds_once = True
+
     def __init__(self, found: Reduction, position: int, page: Page):
         super().__init__(page, Book.of(q.tables(found), q.values(found)))
         self.found, self.position = found, _moving(found, position)

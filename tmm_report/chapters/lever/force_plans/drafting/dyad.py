@@ -173,7 +173,8 @@ def _readings(sheet: Sheet, d: Dyad, corners: Corners, X: complex, mu: float) ->
 
 
 def _equation(sheet: Sheet, d: Dyad, components: Mapping[str, complex]) -> VectorEquation:
-    """Sum of all forces of the group in the order of the polygon: loads of b, of a, reactions on a, on b.
+    """Sum of all forces of the group in the order of the polygon from X on: the reaction on b, loads of b, of a, the
+    reaction on a. So one unknown stands first and the other last.
 
     In an RPP and RPR group the inner reaction has its own known direction.
     """
@@ -186,7 +187,7 @@ def _equation(sheet: Sheet, d: Dyad, components: Mapping[str, complex]) -> Vecto
 
     on_a, on_b = outer(d.carrier_a, d.a, d.outer_a), outer(d.carrier_b, d.b, d.outer_b)
     loads = [term for link in (d.b, d.a) for term in sheet.terms(link)]
-    return VectorEquation([[*loads, *on_a, *reversed(on_b)], []])
+    return VectorEquation([[*reversed(on_b), *loads, *on_a], []])
 
 
 def _single(sheet: Sheet, d: Dyad) -> Single:

@@ -228,7 +228,7 @@ def _thrust(sheet: Sheet, line: _Line) -> tuple[ForcePlan, Formula]:
     sign = -1 if dot(end - tip, line.along) < 0 else 1
     force = sheet.read_force(FORCE, end - tip, exact, mu, sign)
     readings = [force, sheet.read(of, end, line.guide, mu)]
-    equation = VectorEquation([[*sheet.terms(link), Term(FORCE.sign, 1), Term(of.sign, 1)], []])
+    equation = VectorEquation([[Term(of.sign, 1), *sheet.terms(link), Term(FORCE.sign, 1)], []])
     at = line.Q if line.stroke.slides else line.P
     held = [
         Held(FORCE, link, (end - tip) * mu, at),

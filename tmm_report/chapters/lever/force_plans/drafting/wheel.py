@@ -110,7 +110,7 @@ def _rack(sheet: Sheet, wheel: Coupled) -> ForcePlan:
         Held(teeth, link, (end - tip) * mu, sheet.touch(mesh)),
         reaction_held(sheet, bearing, of, link, -end * mu),
     )
-    equation = VectorEquation([[*sheet.terms(link), Term(teeth.sign, 1), Term(of.sign, 1)], []])
+    equation = VectorEquation([[Term(of.sign, 1), *sheet.terms(link), Term(teeth.sign, 1)], []])
     drawn = _drawn(sheet, wheel, mu, strokes, equation, held, readings)
     sheet.pass_on(wheel.contact, link, end - tip, mu)
     return replace(drawn, stage="rack")

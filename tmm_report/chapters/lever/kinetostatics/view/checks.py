@@ -21,16 +21,18 @@ from tmm_report.report.part import Part
 POWER_BALANCE = Definition("M_bal", (Var("dT", 0.0) / Var("dt", 0.0) - Var("N", 0.0)) / Var("omega_1", 0.0))
 
 
-def part(found: Kinetostatics, position: int, page: Page) -> Part:
-    return Part("lever/kinetostatics/lever", LeverView(found, position, page), concludes=False)
+def part(found: Kinetostatics, position: int, drawn: bool, page: Page) -> Part:
+    """`drawn`: whether the lever was drawn."""
+    return Part("lever/kinetostatics/lever", LeverView(found, position, drawn, page), concludes=False)
 
 
 class LeverView(BookView):
     power_balance = POWER_BALANCE
 
-    def __init__(self, found: Kinetostatics, position: int, page: Page):
+    def __init__(self, found: Kinetostatics, position: int, drawn: bool, page: Page):
         super().__init__(page, page.once(q.book, found))
         self.found, self.position = found, position
+        self.drawn = drawn
 
     def conclusions(self) -> Sequence[Markup]:
         return []

@@ -78,12 +78,25 @@ class CycleView(BookView):
         return any(self._extremes[key].values.count("") < len(self._extremes) for key in _SIDE_KEYS)
 
     def reactions(self, caption: Any) -> Table:
-        """Least and greatest of every reaction and its projections, and where they are reached."""
+        """Least and greatest of every reaction, and where they are reached."""
+        return self._least_and_greatest(caption, self._sizes)
+
+    def projections(self, caption: Any) -> Table:
+        """The same of their projections."""
+        others = {str(key) for key in self._extremes["key"].values}
+        return self._least_and_greatest(caption, others - self._sizes - {q.BALANCING_MOMENT.key})
+
+    @property
+    def _sizes(self) -> set[str]:
+        """Keys of the reactions."""
+        return {q.reaction(*one.pair.links).key for one in self.found.table.statics.reactions.values()}
+
+    def _least_and_greatest(self, caption: Any, keys: set[str]) -> Table:
         table = self._extremes
         rows = [
             [self.page.head(table["least"].symbol(row), table["least"].unit_of(row)), *self._ends(row)]
             for row, key in enumerate(table["key"].values)
-            if key != q.BALANCING_MOMENT.key and self._speaks(row)
+            if key in keys and self._speaks(row)
         ]
         at = self.t("at θ, °") if self.by_law else self.t("at φ, °")
         heads = [self.t("Reaction"), self.t("Least value"), at, self.t("Greatest value"), at]

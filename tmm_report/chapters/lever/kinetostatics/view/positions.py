@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -63,7 +63,7 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part | None]:
     yield Part("lever/kinetostatics/balancing", view)
     yield from stroke_view.parts(lever.kinetostatics, lever.sample, page)
     yield from gear_view.parts(lever.kinetostatics, lever.sample, page)
-    yield lever_view.part(lever.kinetostatics, lever.sample, page)
+    yield lever_view.part(lever.kinetostatics, lever.sample, view.after_lever, page)
 
 
 UNBOUNDED = N_(
@@ -78,15 +78,18 @@ DISAGREE = N_(
 
 
 def _view(found: Kinetostatics, lever: LeverFound, page: Page) -> KinetostaticsView:
-    return page.once(KinetostaticsView, found, lever.plans, lever.sample, page)
+    drawn = bool(lever.force_plans and lever.force_plans.levers)
+    return page.once(KinetostaticsView, found, lever.plans, lever.sample, drawn, page)
 
 
 class KinetostaticsView(BookView):
     weight = WEIGHT
 
-    def __init__(self, found: Kinetostatics, plans: Plans, position: int, page: Page):
+    def __init__(self, found: Kinetostatics, plans: Plans, position: int, lever: bool, page: Page):
+        """`lever`: whether Zhukovsky's lever is drawn."""
         super().__init__(page, page.once(q.book, found))
         self.found, self.plans, self.position = found, plans, position
+        self.after_lever = lever and page.note.stand("force_plans.lever") == "body"
         self.cycle, self.curves = CycleView(found, page), CurvesView(found, page)
         at = page.once(sampled, found)
         self.graphs = graphs_of(found, at, page.tr)
@@ -197,14 +200,11 @@ class KinetostaticsView(BookView):
 
     # ------------------------------------------------------------ loads
 
-    def weights(self, caption: Any) -> Table:
+    def weights(self) -> Markup:
+        """G = mg of every link: the same at all positions."""
         table = self.table("loads_table")
-        columns = []
-        for link in self.found.table.loading.gravity:
-            of = q.weight(link)
-            cell = self.page.cell(table, of.key, 0, size=True)
-            columns.append(Column(self.page.head(of.sign, of.unit), [cell]))
-        return numeric(caption, columns[0], columns[1:])
+        keys = [q.weight(link).key for link in self.found.table.loading.gravity]
+        return self.page.values(table.var(key, 0, size=True) for key in keys)
 
     def inertia(self, caption: Any) -> Table:
         """Inertia forces, magnitudes, and couples at the table positions."""
@@ -226,8 +226,17 @@ class KinetostaticsView(BookView):
 
     # ------------------------------------------------------------ reactions
 
+    @property
+    def beside(self) -> bool:
+        """Whether the balancing moment stands beside the reactions: its table by three methods stands elsewhere."""
+        return self.page.note.stand("kinetostatics.methods") != "body"
+
     def reactions(self, caption: Any) -> Table:
-        return self._of_pairs(caption, [q.reaction(*pair).key for pair in self._pairs()])
+        keys = [q.reaction(*pair).key for pair in self._pairs()]
+        if not self.beside:
+            return self._of_pairs(caption, keys)
+        keys += [] if self.central else self._guide_keys()
+        return self._of_pairs(caption, keys, [self.column("balancing_table", q.BY_GROUPS.key)])
 
     def instants(self, caption: Any) -> Table:
         """Balancing moment and reactions at the instants that are asked for."""
@@ -242,11 +251,11 @@ class KinetostaticsView(BookView):
     def _pairs(self) -> list[tuple[str, str]]:
         return [reaction.pair.links for reaction in self.found.table.statics.reactions.values()]
 
-    def _of_pairs(self, caption: Any, keys: list[str]) -> Table:
-        """What has no number at any position has no column."""
+    def _of_pairs(self, caption: Any, keys: list[str], more: Sequence[Column] = ()) -> Table:
+        """What has no number at any position has no column. `more`: columns behind them."""
         name = "reactions_table"
         some = [key for key in keys if np.isfinite(self.of(name, key).numbers()).any()]
-        return self.by_positions(caption, name, some)
+        return self.by_positions(caption, name, [*some, *more])
 
     @property
     def in_guides(self) -> list[tuple[str, str]]:
@@ -264,12 +273,14 @@ class KinetostaticsView(BookView):
 
     def guide_points(self, caption: Any) -> Table:
         """Moments of the reactions in guides, and where along the guide the force alone would act."""
-        keys = [
+        return self._of_pairs(caption, self._guide_keys())
+
+    def _guide_keys(self) -> list[str]:
+        return [
             quantity.key
             for pair in self.in_guides
             for quantity in (q.guide_moment(*pair), q.guide_offset(*pair, ""))
         ]
-        return self._of_pairs(caption, keys)
 
     # ------------------------------------------------------------ balancing moment
 

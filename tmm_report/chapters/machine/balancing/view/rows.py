@@ -38,6 +38,8 @@ NOTHING = 1e-9  # of the largest: a term that is rounding
 class BalancingRows(ChapterView):
     """Every number of a formula is one of the results."""
 
+    kinds_once = True
+
     def __init__(self, found: Found, page: Page):
         super().__init__(page, found.s, q.tables(found))
         self.found = found
@@ -165,11 +167,10 @@ class BalancingRows(ChapterView):
 
     # ------------------------------------------------------------ counterweights
 
-    def counterweight_formulas(self, case: Case) -> Iterator[Formula]:
+    def counterweight_formulas(self, case: Case) -> list[list[Formula]]:
         """Static moment and mass, or distance, of every counterweight of a way of balancing."""
-        for row, (other, one) in enumerate(weights.placed(self.found.cases)):
-            if other is case:
-                yield from self._counterweight(case, one, row)
+        placed = enumerate(weights.placed(self.found.cases))
+        return [list(self._counterweight(case, one, row)) for row, (other, one) in placed if other is case]
 
     def _counterweight(self, case: Case, one: Placed, row: int) -> Iterator[Formula]:
         table = self.table("counterweights")

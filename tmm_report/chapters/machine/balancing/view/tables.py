@@ -87,11 +87,11 @@ class BalancingSheet(AgainstMoment):
 
     def counterweights(self, caption: Any) -> Table:
         table, page = self.table("counterweights"), self.page
-        heads = [self.t("Way of balancing"), self.t("Link")]
+        heads = [self.t("Way"), self.t("Link")]
         heads += self.heads(table, ("U", "beta", "rho", "m_c"))
         rows = [
             [
-                self.way(case),
+                page.word(str(self.found.every.index(case)), table, "method", row),
                 page.word(one.link, table, "link", row),
                 page.cell(table, "U", row),
                 page.cell(table, "beta", row, places=2),
@@ -100,7 +100,7 @@ class BalancingSheet(AgainstMoment):
             ]
             for row, (case, one) in enumerate(weights.placed(self.found.cases))
         ]
-        return worded(caption, heads, rows, (8, 2, 3, 3, 3, 3))
+        return worded(caption, heads, rows, (2, 2, 3, 3, 3, 3))
 
     def masses(self, caption: Any, case: Case) -> Table:
         """The masses that the counterweights of a way meet."""

@@ -49,6 +49,10 @@ class BalancingView(BalancingSheet):
         text = N_(
             "The greatest shaking force of the mechanism is %(force)s N; %(way)s leaves %(left)s N of it."
         )
+        if self.found.complete(best):
+            text = N_(
+                "The greatest shaking force of the mechanism is %(force)s N; %(way)s balances it in full."
+            )
         of, left = self._peak(0), self._peak(number)
         told = [self.t(text, force=of, way=self.way(best), left=left)]
         return [*told, *self._of_moment()]
