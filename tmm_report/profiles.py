@@ -20,7 +20,6 @@ from tmm_report.resources import data_root
 Align = Literal["left", "indent", "centre"]
 Count = Literal["through", "section"]
 Place = Literal["bottom centre", "bottom right", "top centre", "top right"]
-Frame = Literal["none", "stamps"]
 Dash = Literal["long", "short"]
 Base = Literal["gost", "plain", "dstu", "kz"]
 DEFAULT: Base = "gost"
@@ -112,7 +111,6 @@ class Profile:
     numbers: Numbers
     where: Where
     page_number: Place
-    frame: Frame
     signatures: bool
     words: Mapping[str, Mapping[str, str]]
     language: str | None = None

@@ -9,7 +9,7 @@ from pydantic import Field, Tag
 
 from tmm_report import profiles
 from tmm_report.problems import N_, Message, Problem, mistake, shown
-from tmm_report.profiles import Align, Base, Count, Dash, Frame, Place, Profile
+from tmm_report.profiles import Align, Base, Count, Dash, Place, Profile
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import model
 from tmm_report.variant.model import Model, Read
@@ -133,7 +133,6 @@ class NoteProfileModel(Model):
     numbers: NumbersModel | None = None
     where: WhereModel | None = None
     page_number: Place | None = None
-    frame: Frame | None = None
     signatures: Flag | None = Field(
         default=None, description="a line to sign on behind each name of the title page"
     )
