@@ -108,7 +108,7 @@ class FlywheelView(ChapterView):
             name: key for name, key in (("power", "P_fr"), ("share", "P_fr_share")) if f"%({name})s" in text
         }
         return (
-            self.t(text, **{name: self.number(key, digits=4) for name, key in named.items()})
+            self.t(text, **{name: self.number(key) for name, key in named.items()})
             if text
             else None
         )
@@ -348,7 +348,7 @@ class FlywheelView(ChapterView):
             text = N_(
                 "The machine needs no flywheel: without one its coefficient of speed fluctuation is %(delta)s."
             )
-            return [self.t(text, delta=self.number("delta_0", digits=4))]
+            return [self.t(text, delta=self.number("delta_0"))]
         text = N_(
             "A flywheel of %(J)s kg·m² leaves the machine the coefficient of speed fluctuation %(delta)s."
         )
@@ -360,7 +360,7 @@ class FlywheelView(ChapterView):
             )
         form = {"own": "J_shaft", "ratio": "i", "J": "J_fl"}
         numbers = {name: self.number(key) for name, key in form.items() if f"%({name})s" in text}
-        said = [self.t(text, delta=self.number("delta_run", digits=4), **numbers)]
+        said = [self.t(text, delta=self.number("delta_run"), **numbers)]
         if "D_out" in self.s:
             text = N_("Its diameter is %(D)s m, its width %(b)s m and its mass %(m)s kg.")
             if self.shape == "rim":
