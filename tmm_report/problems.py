@@ -18,6 +18,42 @@ def N_(text: str) -> str:
     return text
 
 
+LANGUAGE = N_("this is said in: en")
+
+
+class Called(str):
+    """A name that a variant gives in several languages: itself as it gives it first; `by`: all of them, by the codes of
+    the languages.
+
+    Of two that begin alike each is itself, so that what is kept of one is not said of the other.
+    """
+
+    by: Mapping[str, str]
+
+    def __new__(cls, by: Mapping[str, str]) -> Called:
+        name = super().__new__(cls, next(iter(by.values())))
+        name.by = by
+        return name
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Called, (self.by,)
+
+    def __hash__(self) -> int:
+        return hash((str(self), *self.by.items()))
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, Called):
+            return self.by == other.by
+        return str(self) == other
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def render(self, translate: Callable[[str], str]) -> str:
+        """The name in the language of a catalogue; as it is given first where it has none in that."""
+        return self.by.get(translate(LANGUAGE).rpartition(" ")[2], str(self))
+
+
 @dataclass(frozen=True)
 class Message:
     """A translatable sentence: `text % values` once `text` is translated."""
@@ -29,7 +65,9 @@ class Message:
         return self.render(str)
 
     def render(self, translate: Callable[[str], str]) -> str:
-        values = {k: v.render(translate) if isinstance(v, Message) else v for k, v in self.values.items()}
+        values = {
+            k: v.render(translate) if isinstance(v, Message | Called) else v for k, v in self.values.items()
+        }
         return translate(self.text) % values if values else translate(self.text).replace("%%", "%")
 
 

@@ -282,12 +282,12 @@ def test_more_variants_than_the_ranges_hold_are_refused_before_any_is_solved(tmp
 @pytest.mark.parametrize("file", ALL_FILES, ids=lambda file: file.stem)
 def test_every_ready_variant_can_be_a_template(tmp_path, file):
     path = ranges(
-        tmp_path, parameters("c: {key: title.city, choose: [Омск]}") + "least_closeness: 0\n", file.stem
+        tmp_path, parameters("c: {key: title.year, choose: [2027]}") + "least_closeness: 0\n", file.stem
     )
-    if b"city:" in file.read_bytes():
+    if b"year:" in file.read_bytes():
         assert verdict(path, 0) == ""
     else:
-        with pytest.raises(ProblemError, match="no key city in title"):
+        with pytest.raises(ProblemError, match="no key year in title"):
             read(path)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Iterable, Mapping
 
@@ -34,8 +35,14 @@ class Form:
             texts |= parameter.texts(cells[parameter.name], self.template)
         texts |= {("title", key): _text(person.get(key, "")) for key in TITLE}
         if not person.get("group"):
-            texts["title", "group"] = _text(self.template.group)
+            texts["title", "group"] = self._group()
         return "".join(part if isinstance(part, str) else texts[part] for part in self.parts).encode()
+
+    def _group(self) -> str:
+        """The template's group, by languages as it may be."""
+        stated = self.template.title.get("group")
+        by_language = isinstance(stated, dict)
+        return json.dumps(stated, ensure_ascii=False) if by_language else _text(self.template.group)
 
 
 def form(template: Template, parameters: Iterable[Parameter]) -> Form:

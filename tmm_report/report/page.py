@@ -21,7 +21,7 @@ from markupsafe import Markup
 from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.i18n import Translator
-from tmm_report.problems import N_, Message
+from tmm_report.problems import N_, Called, Message
 from tmm_report.profiles import Profile, filled, shipped
 from tmm_report.quantity.formula import Formula, Inline, Var
 from tmm_report.quantity.model import Column, Table, Value
@@ -159,7 +159,11 @@ class Page:
 
     def text(self, value: Any) -> Markup:
         """Anything for output: Markup as it is, other text escaped for the format."""
-        return value if isinstance(value, Markup) else self.form.escape(str(value))
+        return value if isinstance(value, Markup) else self.form.escape(self.name(value))
+
+    def name(self, value: Any) -> str:
+        """Text as it is; of a name in several languages that of the note."""
+        return value.render(self.tr.gettext) if isinstance(value, Called) else str(value)
 
     def called(self, name: str, **values: Any) -> Markup:
         """A word of the note as its profile has it, with what is put into it: "figure", n and title."""
@@ -177,7 +181,7 @@ class Page:
 
     def on_one_line(self, text: str) -> Markup:
         """Text that stands where no markup is read."""
-        return Markup(xml_escape(text))
+        return Markup(xml_escape(self.name(text)))
 
     def in_properties(self, text: str) -> Markup:
         """Text of the properties of a PDF, where LaTeX reads no mathematics."""
@@ -387,7 +391,7 @@ class Page:
     def word(self, text: str | Markup, table: Table, key: str, row: int) -> Cell | Words:
         """A translated word or a name that stands for a cell of the results."""
         ref = table.ref(key, row)
-        return Words(text, ref) if isinstance(text, Markup) else Cell(text, ref)
+        return Words(text, ref) if isinstance(text, Markup) else Cell(self.name(text), ref)
 
     def named(self, table: Table, key: str, row: int) -> Cell:
         """The name of a point, or names of points, that stand in a cell of the results; a dash for none."""

@@ -3,6 +3,7 @@
 from faults import Fault
 
 DEPTH = ("tests/report/test_depth.py",)
+CALLED = ("tests/report/test_names_by_language.py",)
 ALIKE = ("tests/page/tables/test_alike.py",)
 KINDS = ("tests/report/test_kinds.py",)
 TRANSLATE = ("tests/chapters/lever/test_translating_links.py",)
@@ -84,4 +85,11 @@ FAULTS = (
           "Cell(self.page.num(2 * worked.rows[key][1], 7), worked.ref(key))", "compressor"),
     Fault("every reaction explained again", "tmm_report/report/numbering.py",
           'item.get("kind", item["id"]), {item["id"]', 'item["id"], {item["id"]', tests=ORDER),
+    # --- names by languages ---
+    Fault("a name is said as it is given first", "tmm_report/report/page.py",
+          "value.render(self.tr.gettext) if isinstance(value, Called) else str(value)", "str(value)", tests=CALLED),
+    Fault("a name within a meaning is said as it is given first", "tmm_report/problems.py",
+          "if isinstance(v, Message | Called) else v for k", "if isinstance(v, Message) else v for k", tests=CALLED),
+    Fault("names that begin alike taken for one", "tmm_report/problems.py", "return self.by == other.by",
+          "return str(self) == str(other)", tests=CALLED),
 )  # fmt: skip

@@ -76,18 +76,34 @@ def _travel(random: Random) -> Data:
             {"viscous": f"{random.uniform(5, 60):.3g} N*s/m"},
             {"square": {"force": one, "speed": f"{random.uniform(2, 6):.3g} m/s"}},
         )
-        named = {"name": random.choice(("steam", "сила пара"))} if random.random() < 0.4 else {}
+        named = (
+            {"name": random.choice(("steam", {"ru": "сила пара", "en": "steam"}))}
+            if random.random() < 0.4
+            else {}
+        )
         return random.choice(laws) | named
 
     found: Data = {"mass": f"{random.uniform(20, 300):.4g} kg", "to": "1.2 m", "driving": [force(4000)]}
     choices: Data = {
-        "name": "hammer",
+        "name": ("hammer", {"ru": "молот", "en": "hammer"})[len(found["mass"]) % 2],
         "from": f"{random.randint(0, 400)} mm",
         "speed": f"{random.uniform(0.1, 2):.3g} m/s",
         "rise": f"{random.choice((-90, -30, 0, 20))} deg",
         "gravity": "9.81 m/s^2",
         "resistance": [force(300)],
-        "springs": [{"name": "buffer", "stiffness": f"{random.uniform(50, 900):.3g} N/m", "free": "400 mm"}],
-        "wheels": [{"name": "wheel", "inertia": "0.4 kg*m^2", "radius": "150 mm"}],
+        "springs": [
+            {
+                "name": ("buffer", {"en": "buffer", "ru": "буфер"})[len(found["mass"]) % 2],
+                "stiffness": f"{random.uniform(50, 900):.3g} N/m",
+                "free": "400 mm",
+            }
+        ],
+        "wheels": [
+            {
+                "name": ("wheel", {"en": "wheel", "ru": "колесо"})[len(found["mass"]) % 2],
+                "inertia": "0.4 kg*m^2",
+                "radius": "150 mm",
+            }
+        ],
     }
     return found | {key: value for key, value in choices.items() if random.random() < 0.4}

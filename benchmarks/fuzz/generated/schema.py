@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
+from tmm_report.languages import LANGUAGES
 from tmm_report.loading import schema
 
 Mark = tuple[str, ...]
@@ -44,6 +45,12 @@ def branches(schema: Schema) -> list[Schema]:
     """The alternatives of a value; those of a number, bare or with its unit, are one."""
     found = schema.get("oneOf") or schema.get("anyOf") or []
     return [] if found and is_number(schema) else found
+
+
+def by_language(schema: Schema) -> bool:
+    """Whether a value is a text, or one of each language."""
+    found = schema.get("anyOf", ())
+    return len(found) == 2 and set(found[1].get("properties", ())) == set(LANGUAGES)
 
 
 def is_number(schema: Schema) -> bool:

@@ -12,7 +12,7 @@ from typing import Any
 from benchmarks.fuzz.generated.after import AFTER
 from benchmarks.fuzz.generated.numbers import SIZES
 from benchmarks.fuzz.generated.rules import APART, NAMED, NEEDS, ONE, RARE, SETS, SIZED
-from benchmarks.fuzz.generated.schema import Schema, branches, is_number, part, short, whole
+from benchmarks.fuzz.generated.schema import Schema, branches, by_language, is_number, part, short, whole
 
 DEEP = 4
 BARE = {
@@ -73,6 +73,8 @@ class Walk:
             return self.number(schema, where)
         if "enum" in schema:
             return self.random.choice(schema["enum"])
+        if by_language(schema):
+            return self._called(schema, where)
         if alternatives := branches(schema):
             if "const" in alternatives[-1]:
                 odd = self.random.random() < 0.05
@@ -155,6 +157,14 @@ class Walk:
         if examples := schema.get("examples"):
             return self.random.choice(examples)
         return self.random.choice(WORDS)
+
+    def _called(self, schema: Schema, where: str) -> Any:
+        """A text, or one by languages; chance beside that of the rest, which a name does not change."""
+        text, beside = self._text(schema, where), Random(f"{where} {self.random.getstate()[1][:2]}")
+        languages = list(branches(schema)[1]["properties"])
+        if beside.random() < 0.5:
+            return text
+        return dict.fromkeys(beside.sample(languages, beside.randint(1, len(languages))), text)
 
     def _known(self, key: str) -> Sequence[str]:
         return self.names.of.get(key, ())

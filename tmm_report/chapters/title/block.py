@@ -12,34 +12,34 @@ from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
 from tmm_report.variant.language import CODE
 from tmm_report.variant.model import Model, Read
-from tmm_report.variant.values import Text
+from tmm_report.variant.values import Text, TitleLine
 
-Lines = Annotated[list[Text], Field(max_length=40)]
+Lines = Annotated[list[TitleLine], Field(max_length=40)]
 
 
 class SignerModel(Model):
     """A line to sign on: what the person is, and the name."""
 
-    role: Text
-    name: Text = ""
+    role: TitleLine
+    name: TitleLine = ""
 
 
 class TitleModel(Model):
     """The title page. Every field is free text."""
 
-    ministry: Text = ""
-    institution: Text = ""
-    department: Text = ""
+    ministry: TitleLine = ""
+    institution: TitleLine = ""
+    department: TitleLine = ""
     lines: Lines = Field(default_factory=list, description="free lines under the department")
-    designation: Text = Field(default="", description="of the document, such as ТММ.05.12.000 ПЗ")
-    course: Text = ""
-    topic: Text = ""
-    student: Text = ""
-    group: Text = ""
-    variant: Text = ""
-    teacher: Text = ""
-    city: Text = ""
-    year: Text = ""
+    designation: TitleLine = Field(default="", description="of the document, such as ТММ.05.12.000 ПЗ")
+    course: TitleLine = ""
+    topic: TitleLine = ""
+    student: TitleLine = ""
+    group: TitleLine = ""
+    variant: TitleLine = ""
+    teacher: TitleLine = ""
+    city: TitleLine = ""
+    year: TitleLine = ""
     signed: Annotated[list[SignerModel], Field(max_length=10)] = Field(
         default_factory=list, description="who signs it beside the student and the teacher"
     )
@@ -49,8 +49,8 @@ class AssignmentModel(Model):
     """The assignment sheet, behind the title page."""
 
     approved: SignerModel | None = Field(default=None, description="who approves it")
-    issued: Text = Field(default="", description="date")
-    due: Text = Field(default="", description="date")
+    issued: TitleLine = Field(default="", description="date")
+    due: TitleLine = Field(default="", description="date")
     data: Lines = Field(default_factory=list, description="what is given, an item each")
     contents: Lines = Field(default_factory=list, description="of the note; left out, its chapters")
     sheets: Lines = Field(default_factory=list, description="of the drawings, an item each")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from tmm_report.languages import LANGUAGES
+
 MORE = """
 about: относительно
 absorber: гаситель, поглотитель
@@ -458,5 +460,7 @@ wrap: угол обхвата
 wrist_pin: поршневой палец
 young: модуль упругости
 """
-SYMBOLS = frozenset(["K", "c*", "cos", "ha*", "q", "sin", "t", "x", "x0", "x1", "xz", "y", "yz", "z0"])
+SYMBOLS = frozenset(
+    ["K", "c*", "cos", *LANGUAGES, "ha*", "q", "sin", "t", "x", "x0", "x1", "xz", "y", "yz", "z0"]
+)
 """Keys that are letters in any language."""

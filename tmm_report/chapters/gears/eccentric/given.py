@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
     from tmm_report.variant.values import (
         Angle,
+        CalledBy,
         Density,
         Distance,
-        Label,
         Module,
         MomentValue,
         Name,
@@ -125,7 +125,7 @@ class MeshLoad:
 class Eccentric:
     """Sun and ring on parallel axes, satellites of different size between them."""
 
-    name: Annotated[Label | None, Field(description="in the heading")] = field(default=None, kw_only=True)
+    name: Annotated[CalledBy | None, Field(description="in the heading")] = field(default=None, kw_only=True)
     ratio: Annotated[Annotated[Fraction, Reads(of_teeth, RATIO)] | None, Field(examples=[4])] = field(
         default=None, kw_only=True
     )

@@ -17,9 +17,9 @@ from tmm_report.variant.stated import Stated
 from tmm_report.variant.values import (
     LIST,
     SCALAR,
+    CalledBy,
     Efficiency,
     Helix,
-    Label,
     Module,
     Reads,
     Shift,
@@ -80,7 +80,7 @@ class PlanetaryModel(Model):
     """A planetary stage: two central wheels, a carrier and satellites."""
 
     kind: Literal["planetary"]
-    name: Label | None = Field(
+    name: CalledBy | None = Field(
         default=None, description="in the headings; left out, the numbers of the wheels"
     )
     scheme: Literal["sun-ring", "external-external", "external-internal", "internal-internal", "any"] = Field(

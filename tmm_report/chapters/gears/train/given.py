@@ -15,10 +15,10 @@ if TYPE_CHECKING:
     from pydantic import Field
 
     from tmm_report.variant.values import (
+        CalledBy,
         Distance,
         Efficiency,
         ForceValue,
-        Label,
         Module,
         Name,
         PositiveVelocity,
@@ -189,7 +189,7 @@ class Wanted:
 class GearTrain:
     """A gear train of any scheme: wheels, the meshes between them, carriers with their satellites."""
 
-    name: Annotated[Label | None, Field(description="in the heading")] = field(default=None, kw_only=True)
+    name: Annotated[CalledBy | None, Field(description="in the heading")] = field(default=None, kw_only=True)
     wheels: Annotated[
         dict[Name, Annotated[Teeth, Reads(teeth, TEETH)]],
         Field(

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
         AngleForces,
         AngleMoments,
         AnglePressures,
+        CalledBy,
         Direction,
         ForceValue,
         Label,
@@ -318,7 +319,7 @@ class Force(ByOneLaw):
     NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(("by_velocity", "by_speed"), OTHER_LAW)
 
     _: KW_ONLY
-    name: Annotated[Label | None, Field(description="for the tables; left out, F1, F2, …")] = None
+    name: Annotated[CalledBy | None, Field(description="for the tables; left out, F1, F2, …")] = None
     at: Annotated[Name, Field(description="the point", examples=["B"])]
     on: Annotated[Name | None, Field(description=_ON, examples=["5"])] = None
     direction: Annotated[
@@ -415,7 +416,7 @@ class Moment(ByOneLaw):
     NOT_OFFERED: ClassVar[Mapping[str, str]] = dict.fromkeys(("by_velocity", "by_speed"), OTHER_LAW)
 
     _: KW_ONLY
-    name: Annotated[Label | None, Field(description="for the tables; left out, M1, M2, …")] = None
+    name: Annotated[CalledBy | None, Field(description="for the tables; left out, M1, M2, …")] = None
     on: Annotated[Name, Field(description="the link", examples=["3"])]
     direction: Turning
     constant: MomentValue | None = None

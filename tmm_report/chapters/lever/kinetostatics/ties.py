@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 
     from tmm_report.variant.values import (
         Angle,
+        CalledBy,
         Distance,
         ForceValue,
-        Label,
         MomentValue,
         Name,
         Position,
@@ -47,9 +47,9 @@ class Tie:
     LETTER: ClassVar = ""  # of its coefficient, by which it is called
 
     _: KW_ONLY
-    name: Annotated[Label | None, Field(description="for the tables; left out, c1, c2, … or b1, b2, …")] = (
-        None
-    )
+    name: Annotated[
+        CalledBy | None, Field(description="for the tables; left out, c1, c2, … or b1, b2, …")
+    ] = None
     between: Annotated[tuple[Name, Name], Field(description=_BETWEEN, examples=["[B, K]"])]
     on: Annotated[dict[Name, Name], Field(description=_ON, examples=["{B: 3}"])] = field(default_factory=dict)
 
@@ -200,7 +200,7 @@ class TorsionSpring:
     }
 
     _: KW_ONLY
-    name: Annotated[Label | None, Field(description="for the tables; left out, k1, k2, …")] = None
+    name: Annotated[CalledBy | None, Field(description="for the tables; left out, k1, k2, …")] = None
     links: Annotated[
         tuple[Name, Name],
         Field(

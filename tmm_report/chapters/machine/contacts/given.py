@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from tmm_report.variant.values import (
         Angle,
+        CalledBy,
         Coefficient,
         Density,
         Distance,
@@ -43,7 +44,7 @@ class Rough:
     state: Annotated[
         Literal["moving", "rest"], Field(description="the coefficient of motion or of rest from the table")
     ] = "moving"
-    name: Annotated[Label | None, Field(description="in the heading")] = None
+    name: Annotated[CalledBy | None, Field(description="in the heading")] = None
 
     def __post_init__(self) -> None:
         if isinstance(self._stated, tuple):
@@ -117,7 +118,7 @@ class Trial:
 
     _: KW_ONLY
     kind: Literal["trial"]
-    name: Annotated[Label | None, Field(description="in the heading")] = None
+    name: Annotated[CalledBy | None, Field(description="in the heading")] = None
     angle: Annotated[Angle, Field(description="of the pull above the level, of the push below it")]
     pull: Annotated[float, quantity("force", 1e-12)]
     push: Annotated[float, quantity("force", 1e-12)]

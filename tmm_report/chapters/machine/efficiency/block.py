@@ -12,7 +12,7 @@ from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import model
 from tmm_report.variant.model import Model, Read
-from tmm_report.variant.values import Label, Number, quantity
+from tmm_report.variant.values import CalledBy, Number, quantity
 
 Share = Annotated[float, quantity("number", 1e-9, 1.0, "0 … 1")]
 Watts = Annotated[float, quantity("power", 1e-9)]
@@ -23,7 +23,7 @@ EXACT = 1e-9  # of the sum of the shares
 class ModuleModel(Model):
     """A machine with its efficiency."""
 
-    name: Label | None = None
+    name: CalledBy | None = None
     efficiency: Number = Field(description="between 0 and 1", examples=[0.95])
     share: Share | None = Field(default=None, description="of the input power, among parallel parts")
     output_share: Share | None = Field(default=None, description="of the output power, among parallel parts")
@@ -43,7 +43,7 @@ class ModuleModel(Model):
 class SeriesModel(Model):
     """Parts one behind the other."""
 
-    name: Label | None = None
+    name: CalledBy | None = None
     series: list["NodeModel"] = Field(min_length=1, max_length=30)
     share: Share | None = None
     output_share: Share | None = None
@@ -52,7 +52,7 @@ class SeriesModel(Model):
 class ParallelModel(Model):
     """Parts side by side, each with its share of the power."""
 
-    name: Label | None = None
+    name: CalledBy | None = None
     parallel: list["NodeModel"] = Field(min_length=2, max_length=12)
     share: Share | None = None
     output_share: Share | None = None

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from tmm_report.variant.values import (
         Accuracy,
         Angle,
+        CalledBy,
         Coefficient,
         Distance,
-        Label,
         Length,
         Mass,
         Name,
@@ -151,7 +151,7 @@ class Engine:
         ),
     }
 
-    name: Annotated[Label | None, Field(description="in the heading")] = None
+    name: Annotated[CalledBy | None, Field(description="in the heading")] = None
     cylinders: Annotated[list[Cylinder] | None, Field(min_length=1, max_length=24)] = None
     inline: Inline | None = None
     vee: Vee | None = None

@@ -18,13 +18,13 @@ if TYPE_CHECKING:
 
     from tmm_report.variant.values import (
         Acceleration,
+        CalledBy,
         Coefficient,
         Damping,
         Distance,
         Flag,
         ForceValue,
         Fraction,
-        Label,
         Length,
         Mass,
         MomentValue,
@@ -310,7 +310,7 @@ class Brake:
 class Given:
     """The speed governor: centrifugal, alone or with the machine and a servomotor; a centrifugal brake."""
 
-    name: Annotated[Label | None, Field(description="in the heading")] = None
+    name: Annotated[CalledBy | None, Field(description="in the heading")] = None
     arms: Annotated[Arms | None, Field(description="Watt, Porter, Proell")] = None
     bell_crank: Annotated[BellCrank | None, Field(description="Hartnell")] = None
     balls: Balls = Balls()

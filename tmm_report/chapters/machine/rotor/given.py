@@ -19,10 +19,10 @@ if TYPE_CHECKING:
     from tmm_report.variant.values import (
         Accuracy,
         Angle,
+        CalledBy,
         Distance,
         Flag,
         Inertia,
-        Label,
         Length,
         Mass,
         Name,
@@ -158,7 +158,7 @@ class Steps:
 class Given:
     """Masses on a turning shaft balanced in one plane or in two."""
 
-    name: Annotated[Label | None, Field(description="in the heading")] = None
+    name: Annotated[CalledBy | None, Field(description="in the heading")] = None
     masses: Annotated[list[Heavy], Field(max_length=30)] = field(default_factory=list)
     bodies: Annotated[list[Body], Field(max_length=10)] = field(default_factory=list)
     planes: Annotated[

@@ -16,8 +16,8 @@ from tmm_report.variant.model import Model, Read, one_of
 from tmm_report.variant.stated import Stated
 from tmm_report.variant.values import (
     Acceleration,
+    CalledBy,
     Damping,
-    Label,
     Length,
     Mass,
     PlaceForces,
@@ -43,7 +43,7 @@ class SquareModel(Model):
 class ForceModel(Model):
     """A force along the guide, by one law."""
 
-    name: Label | None = None
+    name: CalledBy | None = None
     constant: PositiveForce | None = None
     by_place: PlaceForces | None = Field(default=None, description="[[place along the guide, force], …]")
     by_time: TimeForces | None = Field(default=None, description="[[time, force], …]")
@@ -75,7 +75,7 @@ class ForceModel(Model):
 class TravelModel(Model):
     """The motion of a slider, a piston, a rod under forces along its guide, from one place to another."""
 
-    name: Label | None = Field(default=None, description="in the heading")
+    name: CalledBy | None = Field(default=None, description="in the heading")
     from_: Length | None = Field(
         default=None,
         alias="from",

@@ -10,7 +10,7 @@ from tmm_report.records import dataclass
 if TYPE_CHECKING:
     from pydantic import Field
 
-    from tmm_report.variant.values import Inertia, Label, Length, Positive, Stiffness
+    from tmm_report.variant.values import CalledBy, Inertia, Length, Positive, Stiffness
 
 G = 9.81  # m/s²
 
@@ -21,7 +21,7 @@ class Wheel:
 
     inertia: Inertia
     radius: Annotated[Positive, Field(description="at which the main link turns it")]
-    name: Label | None = None
+    name: CalledBy | None = None
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Spring:
 
     stiffness: Stiffness
     free: Annotated[Length, Field(description="place of the main link at which the spring is free")]
-    name: Label | None = None
+    name: CalledBy | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 
     from tmm_report.variant.values import (
         Angle,
+        CalledBy,
         Damping,
         FixedDirection,
-        Label,
         Length,
         Positive,
         PositiveInertia,
@@ -141,7 +141,7 @@ class Common:
         ),
     ) | dict.fromkeys(("shaft", "eccentricity", "diameter", "length", "E"), WHIRLS)
 
-    name: Annotated[Label | None, Field(description="of the machine, in the heading")] = None
+    name: Annotated[CalledBy | None, Field(description="of the machine, in the heading")] = None
     isolators: Annotated[
         Annotated[int, whole(1, 1000)],
         Field(description="equal springs with their dampers, side by side"),

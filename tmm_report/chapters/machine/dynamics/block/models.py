@@ -13,12 +13,12 @@ from tmm_report.variant.stated import Stated
 from tmm_report.variant.values import (
     Acceleration,
     Angle,
+    CalledBy,
     Distance,
     Flag,
     ForceValue,
     Fraction,
     Inertia,
-    Label,
     Mass,
     MomentValue,
     Number,
@@ -39,7 +39,7 @@ Varying = Annotated[list[tuple[TurnAngle, PositiveInertia]], Field(min_length=2,
 class PartModel(Model):
     """A shaft or a mass that the main shaft moves."""
 
-    name: Label
+    name: CalledBy
     ratio: Number = Field(
         default=1.0, description="speed of this shaft by that of the main shaft", examples=[0.1]
     )
@@ -74,7 +74,7 @@ class PartModel(Model):
 class DynamicsModel(Model):
     """The machine in motion, reduced to one shaft: the driving link of the mechanism, else the shaft of the motor."""
 
-    name: Label | None = Field(default=None, description="in the heading")
+    name: CalledBy | None = Field(default=None, description="in the heading")
     parts: list[PartModel] = Field(default=[], max_length=20)
     motor: MotorModel | None = Field(default=None, description="left out, a moment that closes the cycle")
     resistance: list[ResistanceModel] = Field(default=[], max_length=10)

@@ -12,8 +12,8 @@ from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.model import Model, one_of
 from tmm_report.variant.values import (
     AngleMoments,
+    CalledBy,
     Fraction,
-    Label,
     MomentValue,
     Scale,
     Speed,
@@ -185,7 +185,7 @@ RESISTANCES = ("friction", "viscous", "fan", "by_speed", "by_angle", "by_time")
 class ResistanceModel(Model):
     """A moment against the rotation of the main shaft."""
 
-    name: Label | None = None
+    name: CalledBy | None = None
     friction: PositiveMoment | None = Field(default=None, description="constant: dry friction, or a load")
     viscous: TorsionalDamping | None = Field(default=None, description="moment by speed")
     fan: FanModel | None = None

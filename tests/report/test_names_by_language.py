@@ -1,0 +1,89 @@
+"""A name that a variant gives in several languages stands in each note in its own."""
+
+from __future__ import annotations
+
+import json
+import pickle
+import re
+
+import pytest
+from conftest import FILES, solved
+from exhaustive import many
+from notes import NAMES, note, render
+
+from tmm_report import load, solve
+from tmm_report.i18n import Translator
+from tmm_report.languages import LANGUAGES
+from tmm_report.problems import N_, Called, Message, ProblemError
+
+SOURCE = next(file for file in FILES if file.stem == "crank_rocker").read_text("utf-8")
+CYRILLIC = re.compile("[А-яЁё]")
+TEXT = re.compile(r">([^<]*)<")
+
+
+def written(tmp_path, topic: str, load_name: str):
+    text = re.sub(r"(?m)^  topic: .*$", f"  topic: {topic}", SOURCE)
+    text, count = re.subn(r"(?m)^    - name: .*$", f"    - name: {load_name}", text, count=1)
+    assert count == 1
+    file = tmp_path / "my.yaml"
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+def pages(file) -> dict[str, str]:
+    results = solve(load(file))
+    return {code: render(results, "html", code)["note.html"].decode() for code in LANGUAGES}
+
+
+def test_each_note_has_its_own(tmp_path):
+    file = written(tmp_path, "{ru: Привод, en: The drive}", "{ru: вес груза, en: weight of the load}")
+    found = pages(file)
+    assert "The drive" in found["en"] and "weight of the load" in found["en"]
+    assert "Привод" in found["ru"] and "вес груза" in found["ru"]
+    assert "The drive" not in found["ru"] and "weight of the load" not in found["ru"]
+    assert "вес груза" not in found["en"] and ">Привод<" not in found["en"]
+    tex = render(solve(load(file)), "tex", "en")["note.tex"].decode()
+    assert "weight of the load" in tex and "вес груза" not in tex
+    numbers = json.loads(render(solve(load(file)), "json", "en")["results.json"])
+    assert "weight of the load" in json.dumps(numbers, ensure_ascii=False)
+
+
+def test_without_the_note_s_language_it_stands_as_given(tmp_path):
+    found = pages(written(tmp_path, "{en: The drive}", "вес груза"))
+    assert "The drive" in found["ru"] and "вес груза" in found["en"]
+
+
+@pytest.mark.parametrize(
+    ("name", "en", "ru"),
+    [
+        ("{ru: вес, uk: вага}", "a text by languages: uk is none of them; known: ru, en", "языка uk нет"),
+        ("{en: [1, 2]}", "a text is expected here", "здесь нужен текст"),
+        ("{en: {ru: x}}", "a text is expected here", "здесь нужен текст"),
+        ("[вес]", "a text is expected here", "здесь нужен текст"),
+        ("{en: " + "x" * 201 + "}", "the text is longer than 200 characters", "длиннее 200"),
+    ],
+)
+def test_what_is_no_name(tmp_path, name, en, ru):
+    with pytest.raises(ProblemError) as raised:
+        load(written(tmp_path, "Привод", name))
+    (problem,) = raised.value.problems
+    assert en in problem.text() and ru in problem.text(Translator("ru").gettext)
+    assert problem.line and problem.path[-1] == "name"
+
+
+def test_a_name_says_itself_and_is_told_from_one_that_begins_alike():
+    one, other = Called({"ru": "вес", "en": "weight"}), Called({"ru": "вес", "en": "load"})
+    assert one == "вес" and one != other and {one: 1}.get(other) is None
+    again = pickle.loads(pickle.dumps(one))
+    assert again == one and again.by == one.by
+    said = Message(N_("force on point %(name)s"), {"name": one})
+    assert said.render(Translator("en").gettext) == "force on point weight"
+    assert said.render(Translator("ru").gettext).endswith("вес")
+
+
+@pytest.mark.parametrize("name", many(NAMES, 3))
+def test_the_english_note_of_a_ready_variant_is_english(name):
+    page = note(name, "html", "en")["note.html"].decode()
+    assert solved(name).variant.title.topic
+    texts = TEXT.findall(page[page.index("<main>") :])
+    assert len(texts) > 100 and not [text for text in texts if CYRILLIC.search(text)]
