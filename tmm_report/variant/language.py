@@ -1,11 +1,13 @@
-"""The key `language`: a code of the table of languages."""
+"""The key `language`: a code of the table of languages; names that may be given by languages, {ru: …, en: …}."""
 
 from __future__ import annotations
 
+from typing import Annotated
+
 from tmm_report.languages import LANGUAGES, language
-from tmm_report.problems import ProblemError
+from tmm_report.problems import N_, Called, Message, ProblemError, shown
 from tmm_report.quantity.units import WrongValue
-from tmm_report.variant.values import Reads
+from tmm_report.variant.values import Reads, free_text
 
 
 def _code(value: object) -> str:
@@ -18,3 +20,29 @@ def _code(value: object) -> str:
 
 
 CODE = Reads(_code, {"type": "string", "enum": [*LANGUAGES]})
+
+
+def called(value: object) -> str:
+    """A text, or one of each language: {ru: …, en: …}."""
+    if not isinstance(value, dict):
+        return free_text(value)
+    for code in value:
+        if code not in LANGUAGES:
+            text = N_("a text by languages: %(code)s is none of them")
+            known = Message(N_("known: %(codes)s"), {"codes": ", ".join(LANGUAGES)})
+            raise WrongValue(Message(text, {"code": shown(code)}), known)
+    if not value:
+        raise WrongValue(Message(N_("a text is expected here")))
+    return Called({code: free_text(text) for code, text in value.items()})
+
+
+_TEXT = {"type": ["string", "number"], "maxLength": 200}
+_BY_LANGUAGE = {
+    "type": "object",
+    "properties": dict.fromkeys(LANGUAGES, _TEXT),
+    "additionalProperties": False,
+    "minProperties": 1,
+}
+CalledBy = Annotated[str, Reads(called, {"anyOf": [_TEXT, _BY_LANGUAGE]})]
+_FIELD = {**_TEXT, "type": ["string", "number", "boolean", "null"]}
+TitleLine = Annotated[str, Reads(called, {"anyOf": [_FIELD, _BY_LANGUAGE]})]

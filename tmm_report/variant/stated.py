@@ -36,7 +36,7 @@ from typing import (
 
 from pydantic import AfterValidator, Field, Tag, create_model
 
-from tmm_report.variant import values
+from tmm_report.variant import language, values
 from tmm_report.variant.model import Model
 
 T = TypeVar("T")
@@ -61,6 +61,7 @@ def stated(record: type) -> Any:
 def model_of(record: type) -> type[Model]:
     """The model that reads a record's mapping."""
     names = {
+        **vars(language),
         **vars(values),
         "values": values,
         "Field": Field,

@@ -14,9 +14,8 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BaseModel, Discriminator, Field
 from pydantic_core import core_schema
 
-from tmm_report.languages import LANGUAGES
 from tmm_report.mechanics.lever.synthesis import Wanted
-from tmm_report.problems import N_, Called, Message, shown
+from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity import units
 from tmm_report.quantity.typed.alike import difference, readings
 from tmm_report.quantity.units import DIMENSIONS, WrongValue
@@ -196,20 +195,6 @@ def free_text(value: object) -> str:
     return text
 
 
-def called(value: object) -> str:
-    """A text, or one of each language: {ru: …, en: …}."""
-    if not isinstance(value, dict):
-        return free_text(value)
-    for code in value:
-        if code not in LANGUAGES:
-            text = N_("a text by languages: %(code)s is none of them")
-            known = Message(N_("known: %(codes)s"), {"codes": ", ".join(LANGUAGES)})
-            raise WrongValue(Message(text, {"code": shown(code)}), known)
-    if not value:
-        raise WrongValue(Message(N_("a text is expected here")))
-    return Called({code: free_text(text) for code, text in value.items()})
-
-
 _WAYS = (*SIDES, "along motion", "against motion")
 _SIDE_OF = re.compile(r"(слева|справа) от\b")
 
@@ -356,16 +341,6 @@ Reading = Annotated[
 PositionKey = Annotated[str, Field(pattern=r"^[0-9]{1,3}$")]
 Text = Annotated[str, Reads(free_text, {"type": ["string", "number", "boolean", "null"], "maxLength": 200})]
 Label = Annotated[str, Reads(free_text, {"type": ["string", "number"], "maxLength": 200})]
-_TEXT = {"type": ["string", "number"], "maxLength": 200}
-_BY_LANGUAGE = {
-    "type": "object",
-    "properties": dict.fromkeys(LANGUAGES, _TEXT),
-    "additionalProperties": False,
-    "minProperties": 1,
-}
-CalledBy = Annotated[str, Reads(called, {"anyOf": [_TEXT, _BY_LANGUAGE]})]
-_FIELD = {**_TEXT, "type": ["string", "number", "boolean", "null"]}
-TitleLine = Annotated[str, Reads(called, {"anyOf": [_FIELD, _BY_LANGUAGE]})]
 
 Flag = Annotated[bool, Reads(_flag, {"type": "boolean"})]
 

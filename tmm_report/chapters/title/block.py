@@ -10,9 +10,9 @@ from tmm_report.chapters.title.pieces import PIECES, Depth
 from tmm_report.languages import DEFAULT, DecimalSign, language
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
-from tmm_report.variant.language import CODE
+from tmm_report.variant.language import CODE, TitleLine
 from tmm_report.variant.model import Model, Read
-from tmm_report.variant.values import Text, TitleLine
+from tmm_report.variant.values import Text
 
 Lines = Annotated[list[TitleLine], Field(max_length=40)]
 

@@ -12,12 +12,12 @@ from tmm_report.mechanics.gears.planetary.search import LARGEST_SHIFTED, Task
 from tmm_report.mechanics.gears.planetary.stage import SCHEMES, Member
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
+from tmm_report.variant.language import CalledBy
 from tmm_report.variant.model import Model
 from tmm_report.variant.stated import Stated
 from tmm_report.variant.values import (
     LIST,
     SCALAR,
-    CalledBy,
     Efficiency,
     Helix,
     Module,

@@ -25,12 +25,12 @@ from tmm_report.records import dataclass
 if TYPE_CHECKING:
     from pydantic import Discriminator, Field, Tag
 
+    from tmm_report.variant.language import CalledBy
     from tmm_report.variant.values import (
         Angle,
         AngleForces,
         AngleMoments,
         AnglePressures,
-        CalledBy,
         Direction,
         ForceValue,
         Label,

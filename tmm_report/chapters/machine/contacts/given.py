@@ -15,9 +15,9 @@ from tmm_report.records import dataclass
 if TYPE_CHECKING:
     from pydantic import Field
 
+    from tmm_report.variant.language import CalledBy
     from tmm_report.variant.values import (
         Angle,
-        CalledBy,
         Coefficient,
         Density,
         Distance,

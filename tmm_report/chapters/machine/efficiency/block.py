@@ -11,8 +11,9 @@ from tmm_report.chapters.machine.efficiency.given import Joined, Module, Node, m
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import model
+from tmm_report.variant.language import CalledBy
 from tmm_report.variant.model import Model, Read
-from tmm_report.variant.values import CalledBy, Number, quantity
+from tmm_report.variant.values import Number, quantity
 
 Share = Annotated[float, quantity("number", 1e-9, 1.0, "0 … 1")]
 Watts = Annotated[float, quantity("power", 1e-9)]

@@ -12,11 +12,11 @@ from tmm_report.mechanics.calculus.laws import ByPlace, BySpeed, ByTime, Constan
 from tmm_report.mechanics.machine.characteristics import Characteristic, Power
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
+from tmm_report.variant.language import CalledBy
 from tmm_report.variant.model import Model, Read, one_of
 from tmm_report.variant.stated import Stated
 from tmm_report.variant.values import (
     Acceleration,
-    CalledBy,
     Damping,
     Length,
     Mass,

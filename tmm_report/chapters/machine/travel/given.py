@@ -10,7 +10,8 @@ from tmm_report.records import dataclass
 if TYPE_CHECKING:
     from pydantic import Field
 
-    from tmm_report.variant.values import CalledBy, Inertia, Length, Positive, Stiffness
+    from tmm_report.variant.language import CalledBy
+    from tmm_report.variant.values import Inertia, Length, Positive, Stiffness
 
 G = 9.81  # m/s²
 

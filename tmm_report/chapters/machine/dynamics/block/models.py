@@ -8,12 +8,12 @@ from pydantic import Field
 from tmm_report.chapters.lever.kinetostatics.block import TorsionSpring
 from tmm_report.chapters.machine.dynamics.block.motors import MotorModel, ResistanceModel
 from tmm_report.chapters.machine.dynamics.given import Coast, Spring, Start
+from tmm_report.variant.language import CalledBy
 from tmm_report.variant.model import Model
 from tmm_report.variant.stated import Stated
 from tmm_report.variant.values import (
     Acceleration,
     Angle,
-    CalledBy,
     Distance,
     Flag,
     ForceValue,

@@ -9,10 +9,10 @@ from tmm_report.mechanics.calculus.laws import ByAngle, BySpeed, ByTime, Constan
 from tmm_report.mechanics.machine import characteristics as ch
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.units import WrongValue
+from tmm_report.variant.language import CalledBy
 from tmm_report.variant.model import Model, one_of
 from tmm_report.variant.values import (
     AngleMoments,
-    CalledBy,
     Fraction,
     MomentValue,
     Scale,
