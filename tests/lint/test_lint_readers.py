@@ -98,3 +98,18 @@ def test_a_range_refers_to_all_within_it():
         "table-appendix2.3",
     ]
     assert page.between("figure900000", ("figure", 1), False)[0] == []
+
+
+def test_captions_of_every_profile_are_read_side_by_side_too():
+    """A stop, either dash, the number before the word; figures of one row."""
+    tex = (
+        "\\begin{document}\n"
+        "\\begin{NoteFigure}{figure1}{Рисунок 1. Схема}\n"
+        "\\begin{NoteInRow}{82.5mm}{figure2.1}{2.1-сурет – План}\n"
+        "\\begin{NoteInRow}{82.5mm}{figure2.2}{2.2-сурет --- План}\n"
+        "\\hypertarget{table1}{}%\n\\begin{NoteTable}{Таблица 1. Массы}{|c|}\n"
+    )
+    steps = [(step.anchor, step.name) for step in source.read(tex).steps]
+    assert steps == [
+        ("figure1", "Рисунок 1"), ("figure2.1", "2.1-сурет"), ("figure2.2", "2.2-сурет"), ("table1", "Таблица 1")
+    ]  # fmt: skip

@@ -18,12 +18,13 @@ class Source(NamedTuple):
 _ANCHOR = r"[\w.-]+"
 _STEPS = re.compile(
     rf"\\hyperlink\{{(?P<said>{_ANCHOR})\}}\{{[^{{}}]*\}}(?P<on>--|–)?"
-    rf"|\\begin\{{Note(?:Figure|Sheet)\}}\{{(?P<figure>{_ANCHOR})\}}\{{(?P<caption>[^{{}}]{{1,40}}?) (?:--|—|–)"
+    rf"|\\begin\{{Note(?:Figure|Sheet|InRow)\}}(?:\{{[\d.]+mm\}})?\{{(?P<figure>{_ANCHOR})\}}"
+    rf"\{{(?P<caption>[^{{}}]{{1,40}}?)(?: (?:--|—|–)|\. )"
     rf"|\\hypertarget\{{(?P<table>table{_ANCHOR})\}}\{{\}}%\s*(?P<head>[^\n]*(?:\n\\NoteLongCaption[^\n]*)?)"
     rf"|\\NoteFormula\{{(?P<formula>{_ANCHOR})\}}\{{(?P<number>[^{{}}]*)\}}"
     rf"|\\Note(?:Section|Subsection|Subsubsection)\{{(?P<section>{_ANCHOR})\}}\{{(?P<which>[^{{}}]*)\}}"
 )
-_NAME = re.compile(r"\{([^{}]{1,40}?) (?:---?|—|–) ")
+_NAME = re.compile(r"\{([^{}]{1,40}?)(?: (?:---?|—|–)|\.) ")
 
 
 def read(tex: str) -> Source:

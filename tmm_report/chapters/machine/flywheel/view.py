@@ -107,11 +107,7 @@ class FlywheelView(ChapterView):
         named = {
             name: key for name, key in (("power", "P_fr"), ("share", "P_fr_share")) if f"%({name})s" in text
         }
-        return (
-            self.t(text, **{name: self.number(key) for name, key in named.items()})
-            if text
-            else None
-        )
+        return self.t(text, **{name: self.number(key) for name, key in named.items()}) if text else None
 
     @property
     def turns(self) -> float:
