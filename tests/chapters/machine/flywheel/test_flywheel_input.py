@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from conftest import read, solved
 
-from tmm_report import course, loading
+from tmm_report import course, loading, render
 from tmm_report.problems import ProblemError
 
 TABLE = "{table: [[0, 0], [90 deg, 800], [180 deg, 0], [360 deg, 0]]}"
@@ -121,3 +123,33 @@ def test_a_motor_beside_an_engine_that_drives_is_not_asked_for_its_power():
 def test_summary_says_the_inertia_and_the_measured_unevenness():
     (line,) = solved("compressor").flywheel.summary()
     assert "1.106" in str(line) and str(line).count("0.0125") == 2
+
+
+METHODS = {
+    "left out": ("", "Mertsalov", ("Wittenbauer", "Rerikh")),
+    "one": ("methods: [rerikh]", "Rerikh", ("Mertsalov", "Wittenbauer")),
+}
+
+
+@pytest.mark.parametrize("case", METHODS)
+def test_the_text_works_out_the_method_of_the_department_and_the_appendix_the_others(case):
+    stated, chosen, others = METHODS[case]
+    load = "resisting: {table: [[0, 0], [90 deg, 800], [180 deg, 0], [360 deg, 0]]}"
+    inertia = "inertia: {mean: 3, harmonics: [{order: 2, cos: 1}]}"
+    text = f"flywheel: {{delta: 1/25, speed: 12, {load}, {inertia}, {stated}}}"
+    results = course.solve(loading.loads(text))
+    for depth, heads in (("course", ("1.2", "A.")), ("short", ("1.2", None)), ("full", ("1.", "1."))):
+        note = render(results, "html", "en", depth)["note.html"].decode()
+        said = [re.sub(r"<[^>]*>", "", one) for one in re.findall(r"<h2[^>]*>(.*?)</h2>", note)]
+        for name, where in ((chosen, heads[0]), *((one, heads[1]) for one in others)):
+            numbers = [one.split()[0] for one in said if name in one and "method" in one]
+            assert len(numbers) == (where is not None)
+            assert all(number.startswith(str(where)) for number in numbers)
+
+
+def test_no_method_is_worked_out_for_a_stated_wheel():
+    with pytest.raises(ProblemError) as error:
+        loading.loads(
+            "flywheel: {wheel: {inertia: 60}, speed: 12, methods: [rerikh], resisting: {constant: 5}}"
+        )
+    assert [problem.path for problem in error.value.problems] == [("flywheel", "methods")]

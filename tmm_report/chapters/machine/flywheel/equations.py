@@ -56,4 +56,4 @@ def pole(scales: Sequence[Var]) -> Formula:
     """H = μ_A/(μ_M μ_φ), mm, by the scales of the drawn diagrams: that of the angle is in degrees."""
     of = {str(one.symbol): one for one in scales}
     distance = 180 * of["mu_A"] / (PI * of["mu_M"] * of["mu_phi"])
-    return Formula("H", distance, "mm", digits=4, ref=Ref("H", table="picture"), meaning=POLE)
+    return Formula("H", distance, "mm", ref=Ref("H", table="picture"), meaning=POLE)
