@@ -134,6 +134,7 @@ PIECES: dict[str, Piece] = {
     "spur.points": Piece(N_("specific sliding at the points of the line of action"), course="appendix"),
     "spur.zones": Piece(N_("zones of contact of one and two pairs of teeth"), course="appendix"),
     "spur.readings": Piece(N_("values read off the drawing of a mesh"), course="appendix"),
+    "drive.worked": Piece(N_("angular velocities of a drive, one of each kind worked out")),
     "drive.speeds": Piece(N_("angular velocities of a drive that are found as others are"), course="omit"),
     "drive.diagrams": Piece(N_("how the diagrams of velocities of a drive are drawn")),
     "drive.comparison": Piece(
