@@ -60,6 +60,7 @@ def test_the_other_axis_and_another_sign_are_alike_but_not_the_same():
     [
         Formula("x_D", L + cos(PHI), "m"),  # another operation
         Formula("x_D", L * cos(PHI) * cos(PHI), "m"),
+        Formula("x_D", L / cos(PHI), "m"),
         Formula("h_D", L * cos(PHI), "m"),  # another quantity
         Formula("x_D", W * cos(PHI), "m"),
     ],
