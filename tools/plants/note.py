@@ -5,7 +5,7 @@ from faults import Fault
 DEPTH = ("tests/report/test_depth.py",)
 CALLED = ("tests/report/test_names_by_language.py",)
 ALIKE = ("tests/page/tables/test_alike.py",)
-KINDS = ("tests/report/test_kinds.py",)
+KINDS = ("tests/quantity/test_kinds.py",)
 TRANSLATE = ("tests/chapters/lever/test_translating_links.py",)
 SHEETS = ("tests/report/test_sheets.py",)
 ORDER = ("tests/chapters/lever/force_plans/test_order_of_forces.py",)
