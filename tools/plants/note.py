@@ -3,7 +3,7 @@
 from faults import Fault
 
 DEPTH = ("tests/report/test_depth.py",)
-CALLED = ("tests/report/test_names_by_language.py",)
+CALLED = ("tests/variant/words/test_names_by_language.py",)
 ALIKE = ("tests/page/tables/test_alike.py",)
 KINDS = ("tests/quantity/test_kinds.py",)
 TRANSLATE = ("tests/chapters/lever/test_translating_links.py",)
