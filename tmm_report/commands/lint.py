@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from tmm_report.commands.talk import Talk
-from tmm_report.lint.checks import look, unseen
+from tmm_report.lint.checks import QUICK, look, unseen
 from tmm_report.lint.made import Made
 from tmm_report.problems import N_, Message
 
@@ -31,7 +31,7 @@ def _counted(count: int) -> Message:
 
 def after_solve(files: Mapping[str, bytes], folder: Path, talk: Talk) -> None:
     """The quick checks on what a solve has made: how much there is to mend, and how to see it."""
-    found = look(Made(files, folder), cheap=True)
+    found = look(Made(files, folder), QUICK)
     if found.every:
         text = N_("norm control: to mend: %(count)s; to see them: tmm-report lint %(folder)s")
         talk.warn(Message(text, {"count": found.every, "folder": folder}))

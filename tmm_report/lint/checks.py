@@ -2,44 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple
 
 from tmm_report.lint import drawings, letters, numbers, order, paper, sheets, units
 from tmm_report.lint.made import Made
 from tmm_report.problems import N_, Message, Problem
 
-Look = Callable[[Made], Iterator[Problem]]
+Check = Callable[[Made], Iterator[Problem]]
 MOST = 20  # findings of one check that are told: more are one cause
-
-
-class Check(NamedTuple):
-    """`needs`: the files of which it reads any; `cheap`: it is run at the end of every solve, too."""
-
-    look: Look
-    needs: tuple[str, ...]
-    cheap: bool = True
-
-
-HTML, TEX, LOG, PDF, RESULTS = "note.html", "note.tex", "note.log", "note.pdf", "results.json"
-CHECKS = (
-    Check(order.unreferenced, (HTML, TEX)),
-    Check(order.late, (HTML, TEX)),
-    Check(order.disorder, (HTML, TEX)),
-    Check(order.gaps, (HTML, TEX)),
-    Check(order.nowhere, (HTML,)),
-    Check(units.units, (RESULTS,)),
-    Check(numbers.decimal_sign, (HTML, TEX)),
-    Check(numbers.noise, (HTML,)),
-    Check(numbers.twice, (HTML,)),
-    Check(drawings.scales, (HTML,)),
-    Check(drawings.on_lettering, (HTML,)),
-    Check(drawings.on_lines, (HTML,), cheap=False),
-    Check(letters.glyphs, (HTML, TEX, LOG)),
-    Check(paper.over_margin, (HTML,)),
-    Check(paper.overfull, (LOG,)),
-    Check(sheets.empty, (PDF,), cheap=False),
+QUICK: tuple[Check, ...] = (
+    order.unreferenced,
+    order.late,
+    order.disorder,
+    order.gaps,
+    order.nowhere,
+    units.units,
+    numbers.decimal_sign,
+    numbers.noise,
+    numbers.twice,
+    drawings.scales,
+    drawings.on_lettering,
+    letters.glyphs,
+    paper.over_margin,
+    paper.overfull,
 )
+"""Those that are run at the end of every solve, too."""
+CHECKS: tuple[Check, ...] = (*QUICK, drawings.on_lines, sheets.empty)
 
 
 class Outcome(NamedTuple):
@@ -49,24 +38,23 @@ class Outcome(NamedTuple):
     every: int
 
 
-def look(made: Made, cheap: bool = False) -> Outcome:
+def look(made: Made, checks: Iterable[Check] = CHECKS) -> Outcome:
     """Run the checks. Raises ProblemError for what cannot be read."""
     told, count = list[Problem](), 0
-    for check in CHECKS:
-        if check.cheap or not cheap:
-            found = [*check.look(made)]
-            told += found[:MOST]
-            count += len(found)
+    for check in checks:
+        found = [*check(made)]
+        told += found[:MOST]
+        count += len(found)
     return Outcome(told, count)
 
 
 def unseen(made: Made) -> Iterator[Message]:
     """What could not be looked at, as its file or its program is not there."""
-    if HTML not in made.files:
+    if "note.html" not in made.files:
         yield Message(N_("no note.html: numbers, units, drawings and margins are not looked at"))
-    elif RESULTS not in made.files:
+    elif "results.json" not in made.files:
         yield Message(N_("no results.json: units are not looked at; solve with --format html,tex,json"))
-    if TEX in made.files and LOG not in made.files:
+    if "note.tex" in made.files and "note.log" not in made.files:
         yield Message(N_("no note.log: boxes and letters of the LaTeX are not looked at; solve with --pdf"))
     if sheets.unseen(made):
         yield Message(N_("no pdftoppm (poppler-utils): pages of the PDF are not looked at"))

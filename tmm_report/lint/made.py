@@ -18,9 +18,11 @@ LIMITS = {  # bytes
     "note.tex": 10_000_000,
     "note.log": 10_000_000,
     "note.pdf": 100_000_000,
+    "note-print.pdf": 100_000_000,
     "results.json": 20_000_000,
 }
 NOTES = ("note.html", "note.tex")
+PDFS = ("note.pdf", "note-print.pdf")  # as LaTeX and as the browser set it
 
 
 class Made:

@@ -1,4 +1,4 @@
-"""Pages of the PDF, as Poppler prints them small: those with next to nothing on them."""
+"""Pages of the PDFs, as Poppler prints them small: those with next to nothing on them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.lint.made import Made
+from tmm_report.lint.made import PDFS, Made
 from tmm_report.problems import N_, Message, Problem
 
 PROGRAM = "pdftoppm"
@@ -21,21 +21,20 @@ SECONDS, PAGES = 60, 500
 
 def empty(made: Made) -> Iterator[Problem]:
     """Pages whose ink, apart from the page's number, is less than two lines high."""
-    if "note.pdf" not in made.files:
-        return
-    for number, page in enumerate(_pages(made), 1):
-        rows = np.flatnonzero((page < 200).any(axis=1)[: int(len(page) * (1 - FOOT))])
-        if len(rows) < LEAST * len(page):
-            wrong = Message(N_("page %(number)s is all but empty"), {"number": number})
-            yield made.found("empty", "note.pdf", None, wrong)
+    for name in made.files.keys() & {*PDFS}:
+        for number, page in enumerate(_pages(made.files[name]), 1):
+            rows = np.flatnonzero((page < 200).any(axis=1)[: int(len(page) * (1 - FOOT))])
+            if len(rows) < LEAST * len(page):
+                wrong = Message(N_("page %(number)s is all but empty"), {"number": number})
+                yield made.found("empty", name, None, wrong)
 
 
 def unseen(made: Made) -> bool:
     """Whether there are pages that no program at hand can look at."""
-    return "note.pdf" in made.files and shutil.which(PROGRAM) is None
+    return bool(made.files.keys() & {*PDFS}) and shutil.which(PROGRAM) is None
 
 
-def _pages(made: Made) -> Iterator[Any]:
+def _pages(pdf: bytes) -> Iterator[Any]:
     """Grey pictures of the pages (rows, columns). What Poppler cannot read has none."""
     import subprocess  # only a PDF needs it
 
@@ -44,7 +43,7 @@ def _pages(made: Made) -> Iterator[Any]:
         return
     command = [program, "-gray", "-scale-to", str(TALL), "-l", str(PAGES), "-"]
     try:
-        done = subprocess.run(command, input=made.files["note.pdf"], capture_output=True, timeout=SECONDS)
+        done = subprocess.run(command, input=pdf, capture_output=True, timeout=SECONDS)
     except (subprocess.TimeoutExpired, OSError):
         return
     data, at = done.stdout, 0
