@@ -67,7 +67,7 @@ class CorrectedView(SlidingView):
             "With friction in the reactions the largest balancing moment is %(growth)s times that without friction, "
             "the mean efficiency is %(eta)s."
         )
-        growth, eta = (self.number(key, digits=4) for key in ("M_growth", "eta_corrected_mean"))
+        growth, eta = (self.number(key) for key in ("M_growth", "eta_corrected_mean"))
         return [self.t(text, growth=growth, eta=eta)]
 
     @property
@@ -148,7 +148,7 @@ class CorrectedView(SlidingView):
     def efficiency(self) -> Formula:
         driving = self.table("friction_table").var("P_drive", self.position)
         lost = self.moments.var("P_fr_corrected", self.position)
-        return self.moments.formula("eta_corrected", self.position, driving / (driving + lost), digits=4)
+        return self.moments.formula("eta_corrected", self.position, driving / (driving + lost))
 
     # ------------------------------------------------------------ tables and diagrams
 

@@ -88,7 +88,7 @@ class FrictionView(SlidingView):
         text = N_(
             "The mean power of friction over the cycle is %(power)s W, the mean efficiency of the mechanism is %(eta)s."
         )
-        return self.t(text, power=self.number("P_fr_mean"), eta=self.number("eta_mean", digits=4))
+        return self.t(text, power=self.number("P_fr_mean"), eta=self.number("eta_mean"))
 
     def column_explained(self, key: str) -> dict[str, Any]:
         """An item of a "where" list."""
@@ -268,7 +268,7 @@ class FrictionView(SlidingView):
     def efficiency(self) -> Formula:
         driving = self.lost.var("P_drive", self.position)
         lost = self.lost.var("P_fr", self.position)
-        return self.lost.formula("eta", self.position, driving / (driving + lost), digits=4)
+        return self.lost.formula("eta", self.position, driving / (driving + lost))
 
     def reduced(self) -> Formula:
         """The moment of friction reduced to the driving link, or its force along the stroke."""
@@ -278,7 +278,7 @@ class FrictionView(SlidingView):
     def by_moments(self) -> Formula:
         """The efficiency once more, by moments or by forces."""
         useful, reduced = self._balancing(), self.lost.var(self.reduced_key, self.position)
-        return self.lost.formula("eta", self.position, useful / (useful + reduced), digits=4)
+        return self.lost.formula("eta", self.position, useful / (useful + reduced))
 
     def _rate(self) -> Expr:
         kinematics = self.kinetostatics.kinematics

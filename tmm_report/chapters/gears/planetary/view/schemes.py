@@ -60,7 +60,7 @@ class SchemesView:
         name = self.page.tr.gettext(SCHEMES[choice.taken.scheme.name])
         values = {
             "name": name,
-            "eta": self.page.shown(self.table, "eta", row, places=4),
+            "eta": self.page.shown(self.table, "eta", row),
             "size": self.page.shown(self.table, "D", row, "mm"),
         }
         works = sum(one.works for one in choice.judged)
