@@ -16,15 +16,10 @@ from tmm_report.lint.made import Made
 
 QUICK = ["compressor-ru", "governor_servo-en"]
 NOTES = [*QUICK, *sorted({f"{name}-{language}" for name in NAMES for language in LANGUAGES} - {*QUICK})]
-LATER = (
-    "twice",
-    "disorder",
-    "noise",
-)  # digits of friction and conclusions, meshes and sliding, a cam's check
 
 
 def named(files: dict[str, bytes]) -> list[str]:
-    return [one.text() for one in look(Made(files, Path())).told if one.path[0] not in LATER]
+    return [one.text() for one in look(Made(files, Path())).told]
 
 
 @pytest.mark.parametrize("name", many(NOTES, len(QUICK)))
