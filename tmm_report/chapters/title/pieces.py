@@ -38,10 +38,10 @@ PIECES: dict[str, Piece] = {
     "kinetostatics.curves": Piece(N_("diagrams and hodographs of the reactions"), course="appendix"),
     "kinetostatics.extremes": Piece(N_("extremes of the reactions over the cycle"), course="appendix"),
     "kinetostatics.projections": Piece(
-        N_("extremes of the projections of the reactions over the cycle"), course="appendix"
+        N_("extremes of the projections of the reactions over the cycle"), course="omit"
     ),
     "kinetostatics.methods": Piece(
-        N_("the balancing moment by three methods, position by position"), course="appendix"
+        N_("the balancing moment by three methods, position by position"), course="omit"
     ),
     "kinetostatics.works": Piece(
         N_("driving and resisting loads, their works and senses of the moment"), course="appendix"
@@ -113,7 +113,7 @@ PIECES: dict[str, Piece] = {
         N_("shaking force and moment over the cycle by the ways of balancing, drawn"), course="appendix"
     ),
     "balancing.left": Piece(
-        N_("shaking force and moment after balancing, position by position"), course="appendix"
+        N_("shaking force and moment after balancing, position by position"), course="omit"
     ),
     "balancing.moment": Piece(N_("what becomes of the shaking moment"), course="appendix"),
     "balancing.harmonics": Piece(

@@ -1,0 +1,33 @@
+"""How many pages the notes of ready variants take in print: no more than a department does, or than they have come to."""
+
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import pytest
+from conftest import read
+from notes import program
+
+from benchmarks.pages import chapters, fills, printed, read_words
+from tmm_report import render, solve
+
+MOST = {  # pages of the text and of the appendices, MB of the HTML
+    ("compressor", "course"): (55, 30, 1.5),
+    ("compressor", "short"): (40, 0, 0.7),
+    ("punch_press", "course"): (10, 2, 0.35),
+}
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize(("name", "depth"), MOST)
+def test_a_note_takes_no_more_pages_than_it_may(name, depth):
+    program("chromium"), program("pdftotext")
+    text, appendices, size = MOST[name, depth]
+    html = render(solve(read(name)), "html", depth=depth)["note.html"]
+    with TemporaryDirectory() as folder:
+        pdf = printed(html, Path(folder))
+        words, filled = read_words(pdf), fills(pdf, Path(folder))
+    apart = [int(one.start) for one in chapters(html, words, filled) if one.appendix]
+    of_text = min(apart, default=len(words))
+    assert of_text <= text and len(words) - of_text <= appendices
+    assert bool(apart) == bool(appendices)
+    assert len(html) <= 1e6 * size
