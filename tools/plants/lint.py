@@ -24,7 +24,7 @@ FAULTS = (
     Fault("a decimal less passes anywhere", ROOM + "numbers.py",
           "if one.number.cell or other.number.cell:", "if True:", tests=PLANTED),
     Fault("one value to three digits passes", ROOM + "numbers.py", "b.half <= 50 * _unit(b.value)",
-          "b.half <= 5000 * _unit(b.value)", tests=PLANTED),
+          "b.half <= 1e9 * _unit(b.value)", tests=PLANTED),
     Fault("a rounded column is blamed", ROOM + "numbers.py", "return abs(a.value - b.value) <= (a.half",
           "return False and abs(a.value - b.value) <= (a.half", tests=PLANTED),
     Fault("units by the last column of the head", ROOM + "units.py", "around = [names[column], said(cell)",
