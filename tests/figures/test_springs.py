@@ -169,7 +169,7 @@ def test_the_note_has_them_in_html_and_latex_alike():
     results = course.solve(loading.loads("language: en\n" + SCREEN))
     html, tex = render(results, "html", "en")["note.html"].decode(), render(results, "tex", "en")
     for caption in ("Kinematic scheme of the mechanism", "Scheme of the mechanism at 12 positions"):
-        (number,) = re.findall(rf"{{(figure\d+)}}{{Figure \d+ -- {caption}", tex["note.tex"].decode())
+        (number,) = re.findall(rf"{{(figure\d+)}}{{Figure \d+ — {caption}", tex["note.tex"].decode())
         web, paper = of_svg(html, caption), of_tikz(tex[f"figures/{number}.tex"].decode())
         assert len(web) == 3  # the springs: no other open line of the schemes has so many corners
         for one, other in zip(web, paper, strict=True):

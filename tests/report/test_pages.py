@@ -1,4 +1,4 @@
-"""How many pages the notes of ready variants take in print: no more than a department does, or than they have come to."""
+"""Pages of the notes of ready variants in print: no more than a department takes, or than they have come to."""
 
 from pathlib import Path
 from tempfile import TemporaryDirectory

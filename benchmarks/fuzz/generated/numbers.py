@@ -226,6 +226,15 @@ SIZES: dict[str, tuple[float, float, str]] = {
     "Turning.isolators": (1, 8, ""),
     "vibration.Start.displacement": (-10, 10, "mm"),
     "vibration.Start.velocity": (-0.2, 0.2, "m/s"),
+    # how the note looks on paper
+    "MarginsModel.left": (20, 35, "mm"),
+    "MarginsModel.right": (10, 20, "mm"),
+    "MarginsModel.top": (15, 25, "mm"),
+    "MarginsModel.bottom": (15, 25, "mm"),
+    "LettersModel.size": (11, 14, ""),
+    "LettersModel.spacing": (1, 1.5, ""),
+    "LettersModel.indent": (10, 15, "mm"),
+    "LettersModel.gap": (0, 6, "mm"),
     # contacts, efficiency, wear
     "Wedge.angle": (3, 20, "deg"),
     "Wedge.coefficient": (0.05, 0.25, ""),

@@ -271,7 +271,7 @@ NAMED: Mapping[str, Sequence[Any]] = {
     "NoteModel.body": ("kinematics.contours", "plans"),
     "NoteModel.appendix": ("kinematics", "balancing.left"),
     "NoteModel.omit": ("structure.driving_links", "flywheel"),
-    "NoteProfileModel.language": ("ru", "uk", "kk"),
+    "NoteProfileModel.language": ("ru", "en"),
     "NoteProfileModel.words": ("ru", "kk", "en"),
 }
 

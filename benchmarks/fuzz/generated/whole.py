@@ -47,7 +47,8 @@ UNIFORM = (
     "press",
 )  # fmt: skip
 """What reckons with a driving link that turns uniformly."""
-MARKS = ("language", "decimal_sign", "title", "note", "profile")
+MARKS = ("language", "decimal_sign", "title", "note")
+PAPER = ("profile", "assignment")
 SLOW = {"methods": 0.05, "method": 0.25, "readings": 0.3, "drive": 0.6, "eccentric": 0.7}
 """How often what is dear, or breaks much else, is left where chance put it."""
 ASKED = 0.03
@@ -82,6 +83,12 @@ def variant(seed: str) -> dict[str, Any]:
     for name in MARKS:
         if random.random() < 0.4:
             data[name] = walk.key(name)
+    on_paper = Walk(
+        Random(f"paper {seed}"), walk.names, walk.fullness, walk.wild
+    )  # draws of its own, as of the ties
+    for name in PAPER:
+        if on_paper.random.random() < 0.2:
+            data[name] = on_paper.key(name)
     if "mechanism" in data and walk.tame():
         _agreed(data)
         tied(data, Random(f"ties {seed}"))  # draws of its own: what else is drawn does not change with them
@@ -99,6 +106,8 @@ def variant(seed: str) -> dict[str, Any]:
     later(data, Random(f"later {seed}"))
     if "friction" not in data:
         data.get("drive", {}).pop("friction", None)
+    if "mechanism" not in data and walk.tame():
+        data.get("flywheel", {}).pop("friction", None)
     driver = data.get("mechanism", {}).get("driver", {})
     alone = driver.get("speed") == "drive" and "drive" not in data
     if (alone or not {"speed", "period", "law", "stroke"} & set(driver)) and driver and walk.tame():

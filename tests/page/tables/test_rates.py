@@ -67,6 +67,8 @@ def wrong_outputs(note: Note, document: dict[str, Any]) -> Iterator[str]:
             for (of, to), (table, _) in zip(((0, 1), (1, 2)), [entries[0]] * 2, strict=True):
                 one = next((s for t, s in found.get(f"{chain[of]}_{sub}", []) if t is table), None)
                 other = next((s for t, s in found.get(f"{chain[to]}_{sub}", []) if t is table), None)
+                if one is not None and other is None:  # a column of noughts is left out, the table says so
+                    other = Series(np.zeros(len(one.values)), np.zeros(len(one.values)), "")
                 if one is None or other is None:
                     yield f"{chain[of]}_{sub} and {chain[to]}_{sub} do not stand in one table"
                     continue

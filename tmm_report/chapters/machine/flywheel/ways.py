@@ -86,7 +86,10 @@ WAYS = (
     Way("flywheel_methods.*", METHOD, of="method J_fl"),
     Way("flywheel_proof.delta", by=lambda q: (q("omega_max") - q("omega_min")) / q("flywheel_omega_m")),
     Way("flywheel_proof.*", PROOF, of="way delta omega_max omega_min"),
-    Way("flywheel_C_E flywheel_J_own flywheel_J_shaft flywheel_sigma flywheel_D_lim", by=_assigned),
+    Way(
+        "flywheel_C_E flywheel_J_own flywheel_J_shaft flywheel_sigma flywheel_D_lim flywheel_omega_min flywheel_psi_2",
+        by=_assigned,
+    ),
     Way("flywheel_W", WORK, of="flywheel_M_m flywheel_Phi"),
     Way("flywheel_left", CLOSES, of="flywheel_M_m"),
     Way("flywheel_J_mean", MEAN, of="flywheel_Phi"),
