@@ -59,7 +59,7 @@ THINNED = N_(
 )
 LOOSE = N_(
     "The outlines stand at the centre distance of the shifts, thinned teeth leave what they lose, as arcs of the "
-    "working circles."
+    "working pitch circles."
 )
 DIVIDED = N_(
     "The shifts are divided otherwise at the same centre distance, or chosen anew at another, and each pair is found "
