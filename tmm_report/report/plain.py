@@ -138,6 +138,9 @@ class Plain(Latex):
     def function(self, name: str, argument: str) -> str:
         return f"{name}{argument}" if argument.startswith("(") else f"{name}({argument})"
 
+    def integral(self, body: str, along: str, lower: str, upper: str) -> str:
+        return f"∫_{lower}^{upper} {body} d{along}"
+
     def bar(self, text: str) -> str:
         return text
 

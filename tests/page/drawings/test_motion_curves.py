@@ -19,7 +19,7 @@ FIGURES = {  # the end of the caption -> table, what lies along, columns of the 
     "main shaft in steady motion": ("cycle_diagram", "phi", ("M_dr", "M_res", "domega", "epsilon")),
     "moments in the start-up": ("start_diagram", "t", ("omega", "M_dr", "M_res")),
     "moments in the run-down": ("coast_diagram", "t", ("omega", "M_dr", "M_res")),
-    "steady motion, IV – run-down": ("joined", "t", ("omega",)),
+    "steady motion, IV — run-down": ("joined", "t", ("omega",)),
 }
 
 
