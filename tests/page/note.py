@@ -290,6 +290,18 @@ class Table:
         cells = [cell.printed for cell in self.column(j) if cell.printed]
         return not self.words and not self.places(j) and any(cell.digits >= LEAST for cell in cells)
 
+    def aligned(self, j: int, cell: Cell) -> bool:
+        """Whether a number has the decimals of its column's largest, not its own: in a table with text only where three
+        digits are left of it, in a column of whole numbers of one column of the results, the largest with its digits.
+        """
+        if not self.words:
+            return True
+        numbers = [(one.printed, one.mark) for one in self.column(j) if one.printed]
+        kinds = {(mark.table, mark.key, mark.by, mark.unit) if mark else None for _, mark in numbers}
+        largest = max((printed.digits for printed, _ in numbers), default=0)
+        few = cell.printed is None or cell.printed.digits < 3
+        return len(kinds) == 1 and None not in kinds and not self.places(j) and largest >= LEAST and not few
+
 
 @dataclass(frozen=True, eq=False)
 class Note:

@@ -92,8 +92,8 @@ def differs(printed: Printed, half: float, printed_unit: Unit, value: Any, own: 
 
 
 def exactness(printed: Printed, places: int, unit_text: str, aligned: bool = False) -> float:
-    """Half a unit of the place to which a number is rounded. `places`: decimals of its column; `aligned`: all of it has
-    as many.
+    """Half a unit of the place to which a number is rounded. `places`: decimals of its column; `aligned`: it has as
+    many as its largest.
 
     Zeros at the end may be left out: what has no decimals like others of its column, or few digits, is exact to more
     than it shows.
@@ -166,8 +166,9 @@ def wrong_cells(note: Note, document: dict[str, Any]) -> Iterator[str]:
             continue
         text = beside or unit_text
         shown = unit(text) if text else NONE
-        zero_of_whole = printed.value == 0 and table.whole(table.heads.index(head))
-        half = 0.5 if zero_of_whole else exactness(printed, places, text, not table.words)
+        j = table.heads.index(head)
+        zero_of_whole = printed.value == 0 and table.whole(j)
+        half = 0.5 if zero_of_whole else exactness(printed, places, text, table.aligned(j, cell))
         problem = differs(printed, half, shown or NONE, value, own, mark.size)
         if problem:
             yield f"{where} {text} marked {mark}: {problem}"
