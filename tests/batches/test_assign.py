@@ -421,6 +421,20 @@ def test_students_stand_on_their_title_pages_and_the_rest_is_in_reserve(tmp_path
     assert sorted(titles) == ["v002", "Иванов_И._И"]
     assert (titles["Иванов_И._И"].student, titles["Иванов_И._И"].group) == ("Иванов И. И.", "М-22")
     assert (titles["v002"].student, titles["v002"].group, titles["v002"].variant) == ("", "М-21", "2")
+    assert titles["v002"].group.by == {"ru": "М-21", "en": "M-21"}
+
+
+@pytest.mark.parametrize(
+    ("language", "group", "said"),
+    [
+        ("en", {"ru": "М-21", "en": "M-21"}, "M-21"),
+        ("en", {"ru": "М-21"}, "М-21"),
+        ("ru", {"en": "M-21", "ru": "М-21"}, "М-21"),
+        ("ru", "М-21", "М-21"),
+    ],
+)
+def test_the_group_of_a_template_is_named_in_its_language_or_the_first(language, group, said):
+    assert Template({"language": language, "title": {"group": group}}, Path("a.yaml")).group == said
 
 
 @pytest.mark.parametrize(

@@ -136,9 +136,9 @@ def begun(tmp_path, monkeypatch, tool):
     ("text", "other", "said"),
     [
         (
-            'msgid "Contents"\nmsgstr "Содержание"',
-            'msgid "Contents"\nmsgstr ""',
-            "no translation of 'Contents'",
+            'msgid "Contents of the note:"\nmsgstr "Содержание пояснительной записки:"',
+            'msgid "Contents of the note:"\nmsgstr ""',
+            "no translation of 'Contents of the note:'",
         ),
         ('msgid "mm"\nmsgstr "мм"', 'msgid "mm"\nmsgstr ""', "no translation of the unit mm"),
         ("сателлит", "спутник", "'satellite' is not called сателлит|"),
@@ -181,6 +181,10 @@ def test_a_row_and_files_make_a_language(tmp_path):
     shutil.copytree(templates / "locale" / "ru", templates / "locale" / "qaa")
     started = (templates / "new" / "ru.yaml").read_text("utf-8").replace("language: ru ", "language: qaa ")
     (templates / "new" / "qaa.yaml").write_text(started, encoding="utf-8")
+    for profile in (templates / "profiles").iterdir():
+        text = profile.read_text("utf-8")
+        words = text[text.index("  ru:\n") : text.index("  en:\n")].replace("  ru:", "  qaa:")
+        profile.write_text(f"{text.rstrip()}\n{words}", encoding="utf-8")
 
     def run(*arguments: str) -> subprocess.CompletedProcess:
         command = [sys.executable, "-c", ADDED, *arguments]

@@ -74,7 +74,7 @@ def test_a_note_without_moments_of_inertia_speaks_of_none():
         text = head + rest[cut:]
     note = render(solve(loading.loads(text)), "html", "en")
     note = note if isinstance(note, str) else str(note)
-    assert "Masses of the links" in note
+    assert "Dimensions and masses of the links" in note
     assert "moments of inertia about the axes" not in note
     assert "Inertia forces and couples" not in note
 

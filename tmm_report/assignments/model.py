@@ -12,6 +12,7 @@ from typing import Any
 from tmm_report.assignments.emit import flow, scalar
 from tmm_report.assignments.keys import value_at
 from tmm_report.assignments.numbers import Cell, scaled, text_of
+from tmm_report.languages import DEFAULT
 from tmm_report.records import dataclass
 from tmm_report.yamlread import Path, Place
 
@@ -31,8 +32,13 @@ class Template:
 
     @property
     def group(self) -> str:
-        """The group that the template's title page names."""
-        return str(self.written(("title", "group"))) if "group" in self.title else ""
+        """The group that the template's title page names; of several languages, in the variant's, or the first."""
+        stated = self.title.get("group", "")
+        if not isinstance(stated, dict):
+            return str(self.written(("title", "group"))) if "group" in self.title else ""
+        own = str(self.data.get("language", DEFAULT))
+        code = own if own in stated else next(iter(stated), "")
+        return str(self.written(("title", "group", code))) if code else ""
 
     def written(self, path: Path) -> Any:
         """The value at a path, a number as it is written."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from tmm_report.assignments import people as lists
@@ -43,8 +42,7 @@ def run(
     stated = _read(ranges)
     tr = Translator(language or str(stated.template.data.get("language", DEFAULT)))
     talk.speak(tr.language)
-    group = stated.template.group
-    people = [replace(one, group=one.group or group) for one in _people(count, students)]
+    people = _people(count, students)
     talk.stage(Message(N_("solving the template")))
     held = proof(stated, form(stated.template, stated.parameters))
     draw = Draw(stated)
@@ -137,7 +135,8 @@ def _table(ranges: Ranges, drawn: Drawn, output: Path, decimal: str) -> bytes:
 
 
 def _row(ranges: Ranges, one: Person, cells: Mapping[str, Cell]) -> list[str | float | int]:
-    return [one.id, one.student, one.group, one.variant, *(_cell(cells[p.name]) for p in ranges.parameters)]
+    group = one.group or ranges.template.group
+    return [one.id, one.student, group, one.variant, *(_cell(cells[p.name]) for p in ranges.parameters)]
 
 
 def _cell(cell: Cell) -> str | float | int:

@@ -25,6 +25,8 @@ LEAST = (120.0, 180.0)  # mm: width and height of the text
 
 
 class MarginsModel(Model):
+    """Margins of a page."""
+
     left: Margin | None = None
     right: Margin | None = None
     top: Margin | None = None
@@ -32,6 +34,8 @@ class MarginsModel(Model):
 
 
 class LettersModel(Model):
+    """Letters and paragraphs of the text."""
+
     size: Size | None = Field(default=None, description="of the letters, pt")
     spacing: Spacing | None = Field(default=None, description="between lines, in sizes of the letters")
     indent: Indent | None = Field(default=None, description="of the first line of a paragraph")
@@ -39,17 +43,23 @@ class LettersModel(Model):
 
 
 class HeadingModel(Model):
+    """How a heading stands."""
+
     align: Align | None = None
     capitals: Flag | None = None
     new_page: Flag | None = None
 
 
 class SubheadingModel(Model):
+    """How the heading of a subsection stands."""
+
     align: Align | None = None
     capitals: Flag | None = None
 
 
 class HeadingsModel(Model):
+    """How headings of each level stand."""
+
     structural: HeadingModel | None = Field(
         default=None, description="contents, introduction, conclusions, references"
     )
@@ -58,17 +68,23 @@ class HeadingsModel(Model):
 
 
 class CaptionsModel(Model):
+    """Where the captions of figures and tables stand."""
+
     figure: Align | None = None
     table: Align | None = None
 
 
 class NumbersModel(Model):
+    """Whether numbers go through the note or begin anew in each section."""
+
     figures: Count | None = None
     tables: Count | None = None
     formulas: Count | None = None
 
 
 class WhereModel(Model):
+    """How letters are explained under a formula."""
+
     lines: Flag | None = Field(default=None, description="each letter on a line of its own")
     indent: Flag | None = Field(default=None, description="from the indent of a paragraph")
 
