@@ -26,7 +26,9 @@ def masses(note: Note) -> dict[str, tuple[float, float, float, float]]:
     for row in table.rows:
         m, j = row[at["m"]].printed, row[at["J"]].printed
         assert m is not None and j is not None
-        found[row[0].text] = (m.value, m.off, 0.0 if np.isnan(j.value) else j.value, j.off)
+        # decimals are those of the whole column, to which its small numbers are rounded too
+        dm, dj = (x.half if x.places == table.places(at[s]) > 0 else x.off for x, s in ((m, "m"), (j, "J")))
+        found[row[0].text] = (m.value, dm, 0.0 if np.isnan(j.value) else j.value, dj)
     return found
 
 
