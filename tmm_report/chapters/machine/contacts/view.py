@@ -149,4 +149,4 @@ class PairView(ChapterView):
 
     def sketch(self) -> Drawing | None:
         make = draw_turning.SKETCHES.get(self.item.kind)
-        return make(self.item, str(self.heading)) if make else None
+        return make(self.item, self.heading.unescape()) if make else None
