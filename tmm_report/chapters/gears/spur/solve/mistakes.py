@@ -229,7 +229,9 @@ def _overlapping(given: Given, pair: meshing.Pair) -> Problem:
     if not math.isfinite(free):  # no distance is free of backlash with such shifts
         text, free = N_("the shifts must make up %(sum)s: shift: rule does it"), 0.0
     right = Message(text, {"sum": _text(needed), "distance": _mm(free, up=not pair.internal)})
-    wrong = N_("with the shifts %(x1)s and %(x2)s the teeth overlap by %(overlap)s mm on the working pitch circles")
+    wrong = N_(
+        "with the shifts %(x1)s and %(x2)s the teeth overlap by %(overlap)s mm on the working pitch circles"
+    )
     overlap = {
         "overlap": _mm(-float(pair.backlash)),
         "x1": _text(float(pair.x1)),
