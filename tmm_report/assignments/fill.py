@@ -26,7 +26,8 @@ class Form:
     def text(
         self, parameters: Iterable[Parameter], cells: Mapping[str, Cell], person: Mapping[str, str]
     ) -> bytes:
-        """The variant with these values; of a person without a group it keeps the template's.
+        """The variant with these values; of a person of the template's group, or of none, it keeps the template's, which
+        may be named in several languages.
 
         Raises WrongValue or ValueError for a value that cannot stand in its place.
         """
@@ -34,7 +35,7 @@ class Form:
         for parameter in parameters:
             texts |= parameter.texts(cells[parameter.name], self.template)
         texts |= {("title", key): _text(person.get(key, "")) for key in TITLE}
-        if not person.get("group"):
+        if person.get("group", "") in ("", self.template.group):
             texts["title", "group"] = self._group()
         return "".join(part if isinstance(part, str) else texts[part] for part in self.parts).encode()
 
