@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from babel.messages.pofile import read_po
 from catalogues import messages
 from exhaustive import many
 from notes import VARIANTS, program, render
@@ -306,42 +305,3 @@ def test_no_other_place_lists_languages():
 def test_message_values_may_be_messages():
     inner = Message("there is no language %(code)s", {"code": "%s %%"})
     assert Message("error: %(what)s", {"what": inner}).render(str) == "error: there is no language %s %%"
-
-
-WRONG = {
-    "en": {
-        "frequency of rotation": "rotational speed",
-        "swing centre": "centre of percussion",
-        "working diameter": "working pitch diameter",
-        "working circle": "working pitch circle",
-        "height of the head": "addendum",
-        "shortening of the tip": "tip alteration",
-        "coefficient of non-uniformity": "coefficient of speed fluctuation",
-        "thickness of the tooth": "tooth thickness",
-    },
-    "ru": {
-        "коэффициент виброизоляции": "коэффициент передачи силы",
-        "демпфирование лежит": "относительное демпфирование",
-        "частота оборотов": "частота вращения",
-    },
-}
-"""What the field calls otherwise, by IFToMM, ISO 1122-1 and GOST 16530: wrong word, right word."""
-
-
-def called(of: str) -> list[str]:
-    """Every text of notes and messages in a language, in lower case."""
-    path = TEMPLATES / "locale" / "ru" / "LC_MESSAGES" / "tmm_report.po"
-    with path.open("rb") as file:
-        every = [one for one in read_po(file) if one.id]
-    both = [
-        (one.id, one.string) if isinstance(one.id, tuple) else ((one.id,), (one.string,)) for one in every
-    ]
-    return [text.lower() for id, string in both for text in (id if of == "en" else string)]
-
-
-@pytest.mark.parametrize(("of", "wrong"), [(of, wrong) for of in WRONG for wrong in WRONG[of]])
-def test_no_text_calls_a_thing_by_a_wrong_word(of, wrong):
-    texts = called(of)
-    assert len(texts) > 4000
-    said = [text for text in texts if wrong in text]
-    assert not said, f"{WRONG[of][wrong]}: {said[:3]}"
