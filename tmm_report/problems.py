@@ -54,6 +54,11 @@ class Called(str):
         return self.by.get(translate(LANGUAGE).rpartition(" ")[2], str(self))
 
 
+def in_language(name: object, translate: Callable[[str], str]) -> str:
+    """A text as it is; of a name in several languages that of the catalogue."""
+    return name.render(translate) if isinstance(name, Called) else str(name)
+
+
 @dataclass(frozen=True)
 class Message:
     """A translatable sentence: `text % values` once `text` is translated."""

@@ -17,7 +17,7 @@ import numpy as np
 
 from tmm_report.course import INITIAL_DATA, Results, chapters, room
 from tmm_report.i18n import Translator
-from tmm_report.problems import N_, Message, Problem, ProblemError
+from tmm_report.problems import N_, Message, Problem, ProblemError, in_language
 from tmm_report.quantity.model import Column, Quantity, Table, Value
 
 __all__ = ["Column", "Table", "Value", "as_csv", "as_dxf", "as_json", "tables", "values"]
@@ -58,7 +58,7 @@ def as_json(results: Results, tr: Translator) -> bytes:
 
     document = {
         "format": FORMAT,
-        "title": _title(results),
+        "title": _title(results, tr),
         **_structure(results),
         "values": [_value(value, tr) for value in values(results)],
         "tables": {table.name: _table(table, tr) for table in tables(results)},
@@ -115,8 +115,15 @@ def _structure(results: Results) -> dict[str, Any]:
     return {"structure": {"formula": found.formula, "groups": [g.label for g in found.groups]}}
 
 
-def _title(results: Results) -> Mapping[str, str]:
-    return {name: text for name, text in vars(results.variant.title).items() if text}
+def _title(results: Results, tr: Translator) -> Mapping[str, Any]:
+    """The lines of the title page, in the language of the meanings."""
+    return {name: _translated(text, tr) for name, text in vars(results.variant.title).items() if text}
+
+
+def _translated(text: Any, tr: Translator) -> Any:
+    return (
+        [_translated(one, tr) for one in text] if isinstance(text, tuple) else in_language(text, tr.gettext)
+    )
 
 
 def _numbers(column: Any) -> list[Any]:

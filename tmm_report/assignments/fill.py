@@ -26,8 +26,8 @@ class Form:
     def text(
         self, parameters: Iterable[Parameter], cells: Mapping[str, Cell], person: Mapping[str, str]
     ) -> bytes:
-        """The variant with these values; of a person of the template's group, or of none, it keeps the template's, which
-        may be named in several languages.
+        """The variant with these values; of a person of the template's group, or of none, it keeps the template's,
+        which may be named in several languages.
 
         Raises WrongValue or ValueError for a value that cannot stand in its place.
         """

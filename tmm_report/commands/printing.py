@@ -11,6 +11,7 @@ import re
 import shutil
 import tempfile
 from collections.abc import Mapping
+from html import unescape
 from pathlib import Path
 
 from tmm_report.commands.pdf import run_alone
@@ -35,7 +36,7 @@ class PrintFailed(Exception):
     """The browser stopped, or printed what is no PDF of a note; the text says what is known."""
 
 
-def print_pdf(html: bytes, author: str = "") -> bytes:
+def print_pdf(note: bytes) -> bytes:
     """The note as the browser prints it. Raises NoBrowser, PrintFailed, or OSError where there is no place to do it.
 
     The page loads nothing and runs nothing (its Content-Security-Policy); the browser has a profile of its own, and is
@@ -46,11 +47,17 @@ def print_pdf(html: bytes, author: str = "") -> bytes:
         raise NoBrowser
     found: Mapping[str, int] = {}
     for _ in range(TIMES):
-        pdf = _printed(program, with_pages(html, found))
+        pdf = _printed(program, with_pages(note, found))
         before, found = found, pages(pdf)
         if found == before:
             break
-    return described(pdf, author)
+    return described(pdf, _author(note))
+
+
+def _author(note: bytes) -> str:
+    """As the note itself names him; a browser leaves him out."""
+    found = re.search('<meta name="author" content="([^"]*)">', note.decode())
+    return unescape(found[1]) if found else ""
 
 
 def _printed(program: str, html: bytes) -> bytes:

@@ -123,7 +123,7 @@ def _add_print(
     talk.stage(Message(N_("printing the note")))
     note = files.get("note.html") or render(results, "html", language)["note.html"]
     try:
-        files["note-print.pdf"] = print_pdf(note, results.variant.title.student)
+        files["note-print.pdf"] = print_pdf(note)
     except NoBrowser:
         return [Message(NO_BROWSER)]
     except (OSError, PrintFailed) as error:

@@ -21,7 +21,7 @@ from markupsafe import Markup
 from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.i18n import Translator
-from tmm_report.problems import N_, Called, Message
+from tmm_report.problems import N_, Message, in_language
 from tmm_report.profiles import Profile, filled, shipped
 from tmm_report.quantity.formula import Formula, Inline, Var
 from tmm_report.quantity.model import Column, Table, Value
@@ -163,7 +163,7 @@ class Page:
 
     def name(self, value: Any) -> str:
         """Text as it is; of a name in several languages that of the note."""
-        return value.render(self.tr.gettext) if isinstance(value, Called) else str(value)
+        return in_language(value, self.tr.gettext)
 
     def called(self, name: str, **values: Any) -> Markup:
         """A word of the note as its profile has it, with what is put into it: "figure", n and title."""

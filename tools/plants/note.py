@@ -87,8 +87,8 @@ FAULTS = (
     Fault("every reaction explained again", "tmm_report/report/numbering.py",
           'item.get("kind", item["id"]), {item["id"]', 'item["id"], {item["id"]', tests=ORDER),
     # --- names by languages ---
-    Fault("a name is said as it is given first", "tmm_report/report/page.py",
-          "value.render(self.tr.gettext) if isinstance(value, Called) else str(value)", "str(value)", tests=CALLED),
+    Fault("a name is said as it is given first", "tmm_report/problems.py",
+          "name.render(translate) if isinstance(name, Called) else str(name)", "str(name)", tests=CALLED),
     Fault("a name within a meaning is said as it is given first", "tmm_report/problems.py",
           "if isinstance(v, Message | Called) else v for k", "if isinstance(v, Message) else v for k", tests=CALLED),
     Fault("names that begin alike taken for one", "tmm_report/problems.py", "return self.by == other.by",

@@ -87,3 +87,13 @@ def test_the_english_note_of_a_ready_variant_is_english(name):
     assert solved(name).variant.title.topic
     texts = TEXT.findall(page[page.index("<main>") :])
     assert len(texts) > 100 and not [text for text in texts if CYRILLIC.search(text)]
+
+
+@pytest.mark.parametrize(
+    ("language", "topic", "line"), [("ru", "Насос", "Факультет"), ("en", "Pump", "Faculty")]
+)
+def test_results_name_the_title_in_the_language_of_their_meanings(tmp_path, language, topic, line):
+    lines = "\n  lines: [{ru: Факультет, en: Faculty}]"
+    file = written(tmp_path, "{ru: Насос, en: Pump}" + lines, "force")
+    title = json.loads(render(solve(load(file)), "json", language)["results.json"])["title"]
+    assert (title["topic"], title["lines"]) == (topic, [line])

@@ -12,7 +12,7 @@ from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.variant import model
 from tmm_report.variant.language import CODE, TitleLine
 from tmm_report.variant.model import Model, Read
-from tmm_report.variant.values import Text
+from tmm_report.variant.values import Text, whole
 
 Lines = Annotated[list[TitleLine], Field(max_length=40)]
 
@@ -73,10 +73,8 @@ class NoteModel(Model):
         default_factory=list, description="pieces, or chapters, whose pieces stand in an appendix"
     )
     omit: Pieces = Field(default_factory=list, description="pieces, or chapters, whose pieces are left out")
-    plans: int | None = Field(
+    plans: Annotated[int, whole(1, 36)] | None = Field(
         default=None,
-        ge=1,
-        le=36,
         description="how many positions have their plans drawn and worked out; the others stand in tables alone",
     )
     symbols: Literal["where", "list"] | None = Field(
