@@ -71,8 +71,8 @@ class Values(Sheet, prefix="governor"):
     load_after = Q("M_c,2", "N·m", N_("load after the step at mean speed"))
     s_min = Q("s_min", "", N_("least supply, with the sleeve at its upper stop"))
     F_throttle = Q("F_s", "N", N_("force at the sleeve that moves the throttle"))
-    epsilon_allowed = Q(f"epsilon_{ALL}", "", N_("insensitivity allowed"))
-    F_allowed = Q(f"F_{ALL}", "N", N_("friction on the sleeve that the insensitivity allows"))
+    epsilon_allowed = Q(f"epsilon_{ALL}", "", N_("insensitiveness allowed"))
+    F_allowed = Q(f"F_{ALL}", "N", N_("friction on the sleeve that the insensitiveness allows"))
     F_sum = Q("F_fr,s", "N", N_("friction on the sleeve with the throttle"))
     after_omega = Q("omega", "rad/s", N_("speed of the machine in the steady state"))
     after_M_d = Q("M_d", "N·m", N_("moment of the full supply in the steady state"))
@@ -177,7 +177,7 @@ class Places(Sheet):
     S = Q("S", "N/m", N_("factor of stability of the governor"))
     omega_low = Q(f"omega_{LOWER}", "rad/s", N_("speed at which the sleeve begins to sink"), "rpm")
     omega_up = Q(f"omega_{UPPER}", "rad/s", N_("speed at which the sleeve begins to rise"), "rpm")
-    epsilon = Q("epsilon", "", N_("insensitivity of the governor"), "%")
+    epsilon = Q("epsilon", "", N_("insensitiveness of the governor"), "%")
 
 
 class Motion(Sheet):

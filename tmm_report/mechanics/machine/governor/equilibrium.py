@@ -277,7 +277,7 @@ def effort(E: Array, change: float) -> Array:
 
 
 def friction_for(E: Array, insensitivity: float) -> Array:
-    """Friction on the sleeve, N, that costs this insensitivity: √(1 + F/E) − √(1 − F/E) = ε solved for F."""
+    """Friction on the sleeve, N, that costs this insensitiveness: √(1 + F/E) − √(1 − F/E) = ε solved for F."""
     return E * insensitivity * np.sqrt(1 - insensitivity**2 / 4)
 
 

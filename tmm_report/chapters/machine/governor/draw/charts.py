@@ -25,7 +25,7 @@ FAR = 8.0  # to which value of X and Y Vyshnegradsky's diagram goes at least
 
 
 def speeds(found: DirectFound, lift: Column, axes: Axes, num: Num, names: Sequence[str]) -> Drawing:
-    """n(z), rpm, with the band of insensitivity. `names` of the curves."""
+    """n(z), rpm, with the band of insensitiveness. `names` of the curves."""
     at, friction = found.curve, found.given.sleeve.friction
     z = lift.numbers(lift.quantity.printed)
     curves = [z + 1j * at.omega * RPM]

@@ -63,7 +63,7 @@ class LoopFound:
 
     @property
     def too_heavy(self) -> bool:
-        """Whether the throttle costs more than the insensitivity that is allowed: then the sleeve alone cannot move
+        """Whether the throttle costs more than the insensitiveness that is allowed: then the sleeve alone cannot move
         it."""
         return "F_allowed" in self.s and self.s.number("F_sum") > self.s.number("F_allowed")
 

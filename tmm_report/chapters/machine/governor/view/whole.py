@@ -178,7 +178,7 @@ class GovernorView(ChapterView):
         return self.numeric(caption, "equilibrium", ["z", *keys])
 
     def speeds(self, caption: Any) -> Table:
-        """Speeds in rpm, with the band of insensitivity where there is friction."""
+        """Speeds in rpm, with the band of insensitiveness where there is friction."""
         columns = [self.column("equilibrium", "omega_g", "rpm")]
         if self.direct.given.sleeve.friction:
             columns += self.columns("equilibrium", ("omega_low", "omega_up"))
