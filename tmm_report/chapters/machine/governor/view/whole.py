@@ -117,14 +117,14 @@ class GovernorView(ChapterView):
         return self.t(N_("a simple governor with arms (Watt)"))
 
     def given_values(self) -> Markup:
-        return self.listed(key for key in self._given() if not self.s.has_formula(key))
+        return self.listed(self._given())
 
     def _given(self) -> list[str]:
-        return [key for key in GIVEN if self.s.get(key)]
+        """Formulas give and explain the others."""
+        return [key for key in GIVEN if self.s.get(key) and not self.s.has_formula(key)]
 
     def explained_given(self) -> list[dict[str, Any]]:
-        """Of the given numbers: formulas explain the others."""
-        return self.explained(*(key for key in self._given() if not self.s.has_formula(key)))
+        return self.explained(*self._given())
 
     def wanted(self) -> Markup:
         """The speeds that were asked for."""
