@@ -11,6 +11,7 @@ from conftest import solved
 from exhaustive import many
 from notes import note
 
+from tmm_report import render
 from tmm_report.chapters.lever.force_plans.drafting.plan import ForcePlan
 
 LEVERS = [path.stem for path in FILES if "\nloads:" in path.read_text("utf-8")]
@@ -51,3 +52,11 @@ def test_what_differs_by_its_indices_is_explained_once(name):
     said = re.sub(r"<[^>]*>", "", where)
     assert len(re.findall(r"[–—] reaction of link \d on link \d", said)) == 1
     assert len(re.findall(r"arm of force [^,;]+ on the lever", said)) == 1
+
+
+def test_the_inertia_couple_that_is_written_out_is_not_nought():
+    """The driving link turns evenly, and that of the rod stands for all."""
+    text = render(solved("forging_machine_wear"), "html", "en", "course")["note.html"].decode()
+    body = text[text.index("The inertia forces and couples at position") :]
+    marks = re.findall(r'data-q="(M_I\d)"', body[: body.index("</p>", body.index('class="where"'))])
+    assert "M_I2" in marks and "M_I1" not in marks

@@ -93,10 +93,14 @@ class ForcePlansView(BookView):
     # ------------------------------------------------------------ formulas
 
     def leading(self, drawn: ForceDrawn, formulas: Sequence[Formula]) -> list[Formula]:
-        """Of the inertia forces or readings of a position those that stand for their kind, each the first of it."""
+        """Of the inertia forces or readings of a position those that stand for their kind, each the first of it that
+        is not nought."""
         first: dict[tuple[str, str], Formula] = {}
         for one in (*drawn.inertia, *(one for plan in drawn.plans for one in plan.readings)):
-            first.setdefault((Var(one.result, 0.0).sign.base, one.unit), one)
+            kind = (Var(one.result, 0.0).sign.base, one.unit)
+            leader = first.setdefault(kind, one)
+            if one.written and not leader.written:
+                first[kind] = one
         return [one for one in formulas if any(one is leader for leader in first.values())]
 
     def following(self, drawn: ForceDrawn, formulas: Sequence[Formula]) -> list[Formula]:
