@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from conftest import solved
-from test_flywheel_input import told
+from test_flywheel_input import LEVER, LOADS, told
 
-from tmm_report import course, loading
+from tmm_report import course, loading, render
 from tmm_report.chapters.machine.flywheel.draw import places
 from tmm_report.chapters.machine.flywheel.quantities import book
 
@@ -132,3 +134,37 @@ def test_signs_of_the_differences_are_those_of_what_is_larger():
     assert (
         fly["mertsalov"] > fly["exact"] > fly["constant"] and off["mertsalov"] > 2 and off["constant"] < -40
     )
+
+
+def words(keys: str, before: str = "") -> str:
+    """The note without its tags."""
+    made = render(course.solve(loading.loads(f"{before}flywheel: {{{keys}}}")), "html", "en", "full")
+    return re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", made["note.html"].decode()))
+
+
+def test_only_a_stated_coefficient_is_called_so():
+    usual = "For a machine of the kind “pump”"
+    pump = "machine: pump, speed: 30, " + LOAD
+    assert "; the stated one is within them" in words("delta: 0.1, " + pump)
+    assert "; the stated one is not within them" in words("delta: 1e-2, " + pump)
+    for wheel in (20, 2000):
+        said = words(f"wheel: {{inertia: {wheel}}}, " + pump)
+        assert usual in said and "the stated one" not in said
+
+
+def test_where_no_flywheel_is_needed_none_is_given():
+    said = words("delta: 0.1, own: 50", LEVER + LOADS)
+    assert "no flywheel is needed" in said and "The flywheel of the machine is the exact one" not in said
+
+
+def test_nothing_is_shown_of_links_whose_inertia_does_not_vary():
+    light = re.sub(r", mass: \d, mass_centre: \w(, inertia: 0.02)?", "", LEVER)
+    said = words("delta: 0.1", light + LOADS)
+    assert "Moments and work over the cycle" in said and "moment of inertia varies" not in said
+    assert "Moments, work and energies" not in said and "ΔT" not in said
+
+
+def test_a_wheel_known_whole_on_the_main_shaft_has_no_section_of_its_sizes():
+    wheel = "wheel: {mass: 90, radius_of_gyration: 1}, speed: 30, "
+    assert "Dimensions of the flywheel" not in words(wheel + LOAD)
+    assert "Dimensions of the flywheel" in words(wheel + "ratio: 2, " + LOAD)

@@ -44,7 +44,7 @@ def sample(found: Found, table: Table, k: int) -> Iterator[Formula]:
 def energies(found: Found, table: Table, k: int) -> Iterator[Formula]:
     """The change of the energy of the constant part at a position."""
     at, s = table.var, found.s
-    if "dT_I" in table:
+    if found.varies:
         yield table.formula("T_II", k, at("J_II", k) * s.omega_m**2 / 2)
         yield table.formula("dT_I", k, at("A", k) - at("T_II", k))
 

@@ -10,9 +10,9 @@ import numpy as np
 
 from tmm_report.chapters.lever.initial_data import quantities as initial
 from tmm_report.chapters.lever.kinematics import quantities as rates
+from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as statics
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
-from tmm_report.chapters.lever.moving import Moving
 from tmm_report.chapters.machine.flywheel.solve import Found
 from tmm_report.quantity.formula import Expr, Formula
 from tmm_report.quantity.model import Table
@@ -24,9 +24,10 @@ def formulas(found: Found, table: Table, k: int) -> Iterator[Formula]:
     """J_II, and the moment of the side that the loads are on, at position k of the table."""
     moving = found.moving
     assert moving is not None and moving.forces is not None  # a flywheel asks for loads
+    moved = rates.book(moving.kinematics).tables["rates_table"]
     if found.varies:
-        yield inertia(found, moving, table, k)
-    moment = _moment(found, moving.forces, rates.book(moving.kinematics).tables["rates_table"], k)
+        yield table.formula("J_II", k, _inertia(found, moving.kinematics, moved, k))
+    moment = _moment(found, moving.forces, moved, k)
     if moment is None:
         return
     if found.sides.balancing == "resisting":
@@ -35,13 +36,11 @@ def formulas(found: Found, table: Table, k: int) -> Iterator[Formula]:
         yield table.formula("M_res", k, moment + table.var("M_fr", k) if "M_fr" in table else moment)
 
 
-def inertia(found: Found, moving: Moving, table: Table, k: int) -> Formula:
+def _inertia(found: Found, kinematics: Kinematics, moved: Table, k: int) -> Expr:
     """Σ m (v_S/ω₁)² + J (ω/ω₁)² of the links whose inertia varies."""
-    kinematics = moving.kinematics
     masses = next(one for one in initial.given_tables(kinematics.linkage.mechanism) if one.name == "masses")
-    moved = rates.book(kinematics).tables["rates_table"]
     first, *others = rates.kinetic(kinematics, found.sides.uneven, masses, moved, found.s.omega_m, k)
-    return table.formula("J_II", k, sum(others, first))
+    return sum(others, first)
 
 
 def _moment(found: Found, forces: Kinetostatics, moved: Table, k: int) -> Expr | None:

@@ -49,6 +49,7 @@ OFF = {
     "rerikh": N_("Rerikh's method differs from it by %(off)s %%."),
 }
 SPEEDS = ("omega_0", "omega", "domega", "epsilon")  # columns of the motion
+ENERGIES = ("J_II", "T_II", "dT_I")  # those of the varying part
 WAYS = {"energy": N_("energy integral"), "integration": N_("integration of the equation of motion")}
 SHOWN = ("mertsalov", "wittenbauer", "rerikh", "constant", "exact")  # in the order of the note
 
@@ -59,7 +60,7 @@ def parts(found: Found, page: Page) -> Iterator[Part]:
     if found.methods:
         yield Part("machine/flywheel/methods", view, concludes=False)
     yield Part("machine/flywheel/motion", view, concludes=False)
-    if "J_shaft" in found.s:
+    if "J_shaft" in found.s and not (found.given.wheel and found.s.number("i") == 1):
         yield Part("machine/flywheel/sizes", view, concludes=False)
 
 
@@ -72,6 +73,8 @@ def picture(found: Found, page: Page) -> Drawing:
 
 
 class FlywheelView(ChapterView):
+    kinds_once = True
+
     def __init__(self, found: Found, page: Page):
         super().__init__(page, found.s, q.tables(found))
         self.found = found
@@ -167,7 +170,7 @@ class FlywheelView(ChapterView):
         of = self.found.sides.balancing
         constant = {"driving": "M_dr", "resisting": "M_res" if not self.of_friction else ""}.get(of, "")
         table = self.table("table")
-        leave = ("position", constant, *SPEEDS)
+        leave = ("position", constant, *SPEEDS, *self._unvaried)
         return numeric(caption, self.page.positions(table), self.columns("table", leave=leave))
 
     @property
@@ -189,13 +192,12 @@ class FlywheelView(ChapterView):
         return self.page.value(self.table("methods").var(f"T_{end}", self.by(method).row))
 
     def off(self) -> Markup:
-        """By how much the methods of the text differ from the exact value; nothing where no flywheel is needed."""
+        """By how much the methods of the text differ from the exact value."""
         table = self.table("methods")
         rows = {name: self.by(name).row for name, chosen in self.found.given.chosen.items() if chosen}
         said = [
             self.t(OFF[name], off=self.page.shown(table, "deviation", row, digits=3, scale=1e-6))
             for name, row in rows.items()
-            if math.isfinite(table["deviation"].number(row))
         ]
         return self.page.listed(said, " ")
 
@@ -258,7 +260,13 @@ class FlywheelView(ChapterView):
     @cached_property
     def _drawn(self) -> dict[str, Column]:
         """The quantities of the cycle where curves are drawn."""
-        return {column.key: column for column in q.cycle(self.found, self._x)}
+        every = q.cycle(self.found, self._x)
+        return {column.key: column for column in every if column.key not in self._unvaried}
+
+    @property
+    def _unvaried(self) -> tuple[str, ...]:
+        """Columns without anything in them, as no moment of inertia varies."""
+        return () if self.found.varies else ENERGIES
 
     def _panels(self, *rows: tuple[str, ...]) -> Graph:
         """A panel for each row of quantities, of those that are known, at round scales."""
