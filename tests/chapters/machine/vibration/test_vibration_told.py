@@ -114,3 +114,14 @@ def test_an_electromagnetic_damper_is_told_to_be_a_viscous_one(key):
         loading.loads(
             f"language: en\nvibration: {{mass: 10 kg, stiffness: 1 kN/m, {key}: {{electromagnetic: 3}}}}\n"
         )
+
+
+def test_a_machine_shaken_by_its_mechanism_concludes_with_all_harmonics():
+    """The amplitude of one of them says nothing of how far the machine goes."""
+    text = VARIANTS.joinpath("piston_pump.yaml").read_text(encoding="utf-8").split("\ngovernor:")[0]
+    own = "\nvibration: {mass: 200 kg, stiffness: 90 kN/m, damping_ratio: 0.1, mechanism: right}\n"
+    found = vibration(text + own, alone=False)
+    (said,) = re.findall(r"Shaken by its mechanism, .*? on to the base\.", page(text + own))
+    moved, handed = (float(number) for number in re.findall(r"up to ([\d.]+) (?:mm|N)\b", said))
+    assert moved == pytest.approx(1e3 * np.abs(found.shaking.moved).max(), rel=1e-4)
+    assert handed == pytest.approx(np.abs(found.shaking.handed).max(), rel=1e-4)

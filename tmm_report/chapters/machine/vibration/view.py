@@ -59,27 +59,31 @@ class VibrationView(ChapterView):
         if self.given.free or self.found.unbounded:
             return self._concluded()
         text = N_(
-            "The machine on its isolators moves with the amplitude %(amplitude)s at %(eta)s of its natural frequency; "
-            "the transmissibility is %(ratio)s."
+            "The machine on its isolators moves with the amplitude %(amplitude)s at %(eta)s times its natural "
+            "frequency; the transmissibility is %(ratio)s."
         )
         if self.given.turning:
             text = N_(
-                "The disc on its shaft swings with the amplitude %(amplitude)s at %(eta)s of its natural frequency; "
+                "The disc on its shaft swings with the amplitude %(amplitude)s at %(eta)s times its natural frequency; "
                 "the transmissibility is %(ratio)s."
             )
         if self.given.base is not None:
             text = N_(
-                "The machine on its isolators moves with the amplitude %(amplitude)s at %(eta)s of its natural "
-                "frequency, which is %(ratio)s of that of the base."
+                "The machine on its isolators moves with the amplitude %(amplitude)s at %(eta)s times its natural "
+                "frequency, which is %(ratio)s times that of the base."
             )
-        said = [
-            self.t(
-                text,
-                amplitude=self.measured("amplitude"),
-                eta=self.number("eta"),
-                ratio=self.number(ratio_key(self.given)),
+        told = {
+            "amplitude": self.measured("amplitude"),
+            "eta": self.number("eta"),
+            "ratio": self.number(ratio_key(self.given)),
+        }
+        if self.found.shaking is not None:  # of its harmonics all together: the amplitude is that of one
+            text = N_(
+                "Shaken by its mechanism, the machine on its isolators moves by up to %(moved)s and hands a force of "
+                "up to %(base)s on to the base."
             )
-        ]
+            told = {"moved": self.measured("moved_most"), "base": self.measured("handed_most")}
+        said = [self.t(text, **told)]
         if self.s.has_formula("stiffness_each") and self.given.stiffness is None and not self.given.turning:
             text = N_("One isolator has the stiffness %(stiffness)s.")
             said.append(self.t(text, stiffness=self.measured("stiffness_each")))

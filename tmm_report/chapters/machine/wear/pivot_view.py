@@ -43,7 +43,7 @@ class PivotView(PairView):
         self.found, self.members = found, self.table("members")
 
     def conclusions(self) -> Sequence[Markup]:
-        text = N_("The pivot %(name)s wears by up to %(depth)s µm after %(cycles)s cycles.")
+        text = N_("Pivot %(name)s wears by up to %(depth)s µm after %(cycles)s cycles.")
         return [self.worn_by(text, self.found.given.pivot)]
 
     def given_values(self) -> Markup:

@@ -65,7 +65,7 @@ class GuideView(PairView):
         self.found = found
 
     def conclusions(self) -> Sequence[Markup]:
-        text = N_("The guide %(name)s and its slider wear by up to %(depth)s µm after %(cycles)s cycles.")
+        text = N_("Guide %(name)s and its slider wear by up to %(depth)s µm after %(cycles)s cycles.")
         return [self.worn_by(text, self.found.given.guide)]
 
     # --- words

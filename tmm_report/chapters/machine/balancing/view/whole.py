@@ -47,11 +47,11 @@ class BalancingView(BalancingSheet):
             return []
         number = self.found.every.index(best)
         text = N_(
-            "The greatest shaking force of the mechanism is %(force)s N; %(way)s leaves %(left)s N of it."
+            "The greatest shaking force of the mechanism is %(force)s N; the way “%(way)s” leaves %(left)s N of it."
         )
         if self.found.complete(best):
             text = N_(
-                "The greatest shaking force of the mechanism is %(force)s N; %(way)s balances it in full."
+                "The greatest shaking force of the mechanism is %(force)s N; the way “%(way)s” balances it in full."
             )
         of, left = self._peak(0), self._peak(number)
         told = [self.t(text, force=of, way=self.way(best), left=left)]
