@@ -124,6 +124,14 @@ class Read:
         """Whether the file has a block that is a variant without a lever mechanism."""
         return any(key in self.data for block in self.blocks if block.ALONE for key in block.model_fields)
 
+    def says(self, path: Path, word: str) -> bool:
+        """Whether the file has a word at a path, itself or its Russian twin."""
+        found: Any = self.data
+        for key in path:
+            found = found.get(key) if isinstance(found, Mapping) else None
+        found = english(found, (word,))
+        return isinstance(found, str) and found.strip() == word
+
     def is_broken(self, key: str) -> bool:
         """Whether something is wrong under a key of the file."""
         return any(path[:1] == (key,) for path in self.broken)

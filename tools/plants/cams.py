@@ -105,9 +105,8 @@ FAULTS = (
           '"counter-clockwise" if output < 0', CAM_PRESS, LINKED),
     Fault("cam drive: the speed of the input", DRIVE, "output = drive.output_speed(found)", "output = found.speed",
           CAM_PRESS, LINKED),
-    Fault("cam drive: any stated speed is called the drive's", "tmm_report/chapters/cams/cam/block/__init__.py",
-          "return isinstance(speed, str) and speed.strip() == DRIVE", "return isinstance(speed, str)", CAM_PRESS,
-          LINKED),
+    Fault("cam drive: any stated speed is called the drive's", "tmm_report/variant/model.py",
+          "return isinstance(found, str) and found.strip() == word", "return found is not None", CAM_PRESS, LINKED),
     # --- the note of a cam ---
     Fault("cam note: rows alike that do not follow one another stand together", "tmm_report/report/paper/layout.py",
           "alike = [list(run) for _, run in groupby(range(len(rows)), key=rows.__getitem__)]",

@@ -42,11 +42,12 @@ def solved(*args, **kwargs):
     return course.solve(loading.loads(text(*args, **kwargs)))
 
 
-def test_the_link_takes_the_speed_and_the_sense_of_the_output():
-    found = solved("speed: drive")
+@pytest.mark.parametrize("word", ["drive", "привод"])
+def test_the_link_takes_the_speed_and_the_sense_of_the_output(word):
+    found = solved(f"speed: {word}")
     omega = found.lever.given.mechanism.driver.omega
     assert omega == pytest.approx(-960 / 4 * math.pi / 30) == found.drive.speed[found.drive.output]
-    assert solved("speed: drive", ratio=4).lever.given.mechanism.driver.omega > 0
+    assert solved(f"speed: {word}", ratio=4).lever.given.mechanism.driver.omega > 0
 
 
 FRICTION = "friction: {pivots: {coefficient: 0.1, diameter: 60 mm}, guides: {coefficient: 0.15}}\n"

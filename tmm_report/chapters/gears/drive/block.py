@@ -130,7 +130,7 @@ def _crank(read: Read) -> Crank | None:
     if driver is None or driver.link is None or "mechanism" not in read.data:
         return None
     stated = driver.model_fields_set
-    linked = linked_by_drive(read.data)
+    linked = read.says(CRANK_SPEED, "drive")
     built = None if driver.speed == "drive" else structure.driver(read)
     omega = math.nan if built is None else built.omega
     # of a linked one the sense may have been filled in by the drive itself
@@ -143,13 +143,6 @@ def _has_link(read: Read) -> bool:
     """Whether there is a driving link that the drive may turn."""
     driver = read.block(structure.Block).mechanism.driver
     return driver is not None and driver.link is not None and "mechanism" in read.data
-
-
-def linked_by_drive(data: Any) -> bool:
-    """Whether the driver of the file's data says `speed: drive`."""
-    for key in CRANK_SPEED:
-        data = data.get(key) if isinstance(data, Mapping) else None
-    return isinstance(data, str) and data.strip() == "drive"
 
 
 def _turning(found: drive.Given, model: DriveModel, crank: Crank | None) -> drive.Given:
@@ -225,8 +218,8 @@ def mistakes(read: Read) -> Iterator[Problem]:
     written = read.block(Block).drive
     if written is None:
         return
-    yield from power.mistakes(written, read.data["drive"], linked_by_drive(read.data), _has_link(read))
-    if linked_by_drive(read.data) and written.output != "crank":
+    yield from power.mistakes(written, read.data["drive"], read.says(CRANK_SPEED, "drive"), _has_link(read))
+    if read.says(CRANK_SPEED, "drive") and written.output != "crank":
         wrong = N_("the driving link takes the speed of the drive, and the drive turns something else")
         right = Message(N_("either speed: drive in the driver or output: other in the drive"))
         yield mistake(wrong, ("drive", "output"), right)

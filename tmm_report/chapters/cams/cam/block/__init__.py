@@ -1,6 +1,6 @@
 """The block `cam` of a variant, a cam that stands alone; and what is stated alike of any cam."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import TypedDict
 
 from pydantic import Field
@@ -10,7 +10,6 @@ from tmm_report.chapters.cams.cam.given import Forces, Given
 from tmm_report.problems import N_, Message, Problem, doubt, mistake
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
-from tmm_report.variant.russian import english
 
 
 class Block(model.Block):
@@ -33,15 +32,8 @@ def given(read: Read) -> Taken:
     stated = read.block(Block).cam
     if stated is None:
         return {"cam": None, "cam_forces": None}
-    own = built(stated, asks_drive(read))
+    own = built(stated, read.says(("cam", "speed"), DRIVE))
     return {"cam": own, "cam_forces": built_forces(stated, own) if stated.loaded else None}
-
-
-def asks_drive(read: Read) -> bool:
-    """Whether the file leaves the speed of the cam to its drive."""
-    data = read.data.get("cam")
-    speed = english(data.get("speed"), (DRIVE,)) if isinstance(data, Mapping) else None
-    return isinstance(speed, str) and speed.strip() == DRIVE
 
 
 def mistakes(read: Read) -> Iterator[Problem]:
