@@ -13,7 +13,7 @@ KINDS = {
     "law_rocker": ("it swings harmonically about a middle position", "оно качается по гармоническому закону"),
     "law_accelerated": ("its angle is a polynomial of the time", "его угол — многочлен от времени"),
     "law_angles": ("stated by a table", "его угол задан таблицей"),
-    "law_phases": ("phases of rise, dwell and return", "фазы удаления, выстоя и приближения"),
+    "law_phases": ("phases of rise, dwell and return", "фазы удаления, выстоя и возвращения"),
 }
 
 
