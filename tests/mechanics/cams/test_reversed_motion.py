@@ -1,5 +1,6 @@
 """Reversed motion: the follower found back from the profile alone, and profiles that are wrong by a known amount."""
 
+import tracemalloc
 from random import Random
 
 import numpy as np
@@ -11,6 +12,7 @@ from tmm_report.chapters.cams.cam.block.build import built
 from tmm_report.chapters.cams.cam.block.laws import Wrong
 from tmm_report.mechanics.cams.cam import Cam, Sliding
 from tmm_report.mechanics.cams.reversed_motion import recovered, touching
+from tmm_report.mechanics.cams.stated_profile import ByProfile, Polar
 
 SMOOTH = (
     "parabolic", "decreasing", "cosine", "sine", "trapezoid", "modified_trapezoid", "modified_sine", "polynomial",
@@ -119,6 +121,21 @@ def test_a_hard_shock_asks_for_a_profile_that_cuts_itself():
     assert difference.min() > -1e-12 and difference.max() > 1e-5
     far = (np.abs(np.degrees(phi) - 60) < 30) | (np.abs(np.degrees(phi) - 240) < 30)
     assert np.abs(difference[far]).max() < 1e-12
+
+
+def test_many_angles_over_a_profile_of_points_take_little_memory():
+    """All at once they would take half a megabyte each: the points of the profile, at every end of a bracket."""
+    u = np.radians(np.arange(0.0, 360.0, 3.0))
+    curve = Polar(tuple(u), tuple(0.04 + 0.006 * np.cos(u)))
+    motion = Sliding(1j, 0j, 1 + 0j)
+    cam = Cam("", "1", "2", "B", "K", 0j, motion, ByProfile(curve, motion, 9e-3), 9e-3, 0.5, 0.034)
+    phi = np.linspace(0.0, 2 * np.pi, 600)
+    tracemalloc.start()
+    found = recovered(cam, phi)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert np.abs(off(cam, phi, found)).max() < 1e-12
+    assert peak < 60e6
 
 
 def test_a_point_that_the_roller_cannot_touch_is_none():

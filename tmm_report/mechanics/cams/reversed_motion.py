@@ -25,9 +25,8 @@ from tmm_report.mechanics.cams.follower_laws import FULL_TURN
 
 Array = Any
 LAID = 721  # points of the profile on which the follower is first let down
-PARTS = (
-    8  # of a bracket, at whose ends all angles are tried at once: a call costs more than a few points of it
-)
+AT_ONCE = 256  # angles at which it is let down at once: 40 kB of points each
+PARTS = 8  # of a bracket, at whose ends they are tried at once: a call costs more than a few points of it
 NARROWED = 14  # times a bracket of two points of the profile becomes two of its parts: that leaves 4e-11 rad
 HALVED = 18  # times it becomes one of its parts: the rounding of an angle
 
@@ -37,8 +36,13 @@ def recovered(cam: Cam, phi: Array) -> Array:
     phi = np.asarray(phi, dtype=float)
     u = np.linspace(0.0, FULL_TURN, LAID)
     points = cam.profile(u)
-    if cam.roller == 0.0:
-        return _on_edge(cam, phi, u, points)
+    let_down = _on_edge if cam.roller == 0.0 else _on_points
+    parts = np.split(phi, range(AT_ONCE, len(phi), AT_ONCE))
+    return np.concatenate([let_down(cam, part, u, points) for part in parts])
+
+
+def _on_points(cam: Cam, phi: Array, u: Array, points: Array) -> Array:
+    """The farthest lifted of all points, and between its neighbours."""
     values = touching(cam, points, phi[:, None])
     k, each = np.argmax(values, axis=1), np.arange(len(phi))
     step = FULL_TURN / (LAID - 1)

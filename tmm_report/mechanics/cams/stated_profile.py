@@ -26,6 +26,7 @@ from tmm_report.records import dataclass
 
 Array = Any
 LAID = 720  # points by which the contact is first found
+AT_ONCE = 256  # angles at which it is sought at once: a few MB of points
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +72,9 @@ class ByProfile:
     def of(self, phi: Array) -> Moved:
         """q, dq/dφ, d²q/dφ² at angles of the cam's x axis, rad; nan where cam and follower do not meet."""
         phi = np.asarray(phi, dtype=float)
-        return self._of_face(phi) if self.roller is None else self._of_roller(phi)
+        parts = np.split(phi.ravel(), range(AT_ONCE, phi.size, AT_ONCE))
+        found = map(self._of_face if self.roller is None else self._of_roller, parts)
+        return Moved(*(np.concatenate(one).reshape(phi.shape) for one in zip(*found, strict=True)))
 
     # ------------------------------------------------------------ a roller
 

@@ -21,7 +21,7 @@ from tmm_report.records import dataclass
 Array = Any
 OUTLINED = 361  # angles at which the outline is listed: every degree
 PROVED = 73  # angles at which the follower is let down on the profile, beside the table positions
-BESIDE = np.radians([-1.0, -0.5, -0.2, 0.2, 0.5, 1.0])  # from a break of the law
+BESIDE = np.radians([-1.0, -0.5, -0.2, 0.2, 0.5, 1.0])  # from a hard shock of the law, which cuts the profile
 DIGITS = 5  # of the largest coordinate: as the table of the profile is printed
 
 
@@ -82,9 +82,8 @@ class Making:
     def proof(self) -> Extreme:
         """The greatest difference of the displacement found back from the profile, m or rad, and where."""
         found = self.found
-        beside = np.mod(
-            (found.turn.breaks[:, None] + BESIDE).ravel(), FULL_TURN
-        )  # where a hard shock cuts the profile
+        hard = np.array([shock.turned for shock in found.shocks if shock.hard])
+        beside = np.mod((hard[:, None] + BESIDE).ravel(), FULL_TURN)
         turned = distinct(np.concatenate([np.linspace(0.0, FULL_TURN, PROVED), found.turn.table, beside]))
         return self._worst(turned, recovered(found.cam, found.phi(turned)))
 
