@@ -377,8 +377,8 @@ class CamView(BookView):
     def together(self, caption: Any) -> Table:
         """Motion and polar coordinates of the profile in one table, without what follows from the speed."""
         motion, curve = q.named(self.found, "cam_motion", "table"), q.named(self.found, "cam_profile")
-        keys = [make(self.found).key for make in (q.displacement, q.first, q.second, q.pressure)]
-        keys = keys[: 3 if self.straight else 4]
+        shown = (q.displacement, q.first, q.second, *([] if self.straight else [q.pressure]))
+        keys = [make(self.found).key for make in shown]
         polar = [self.column(curve, q.named(self.found, key)) for key in ("cam_R", "cam_delta")]
         return self.by_positions(caption, motion, [*keys, *polar])
 

@@ -28,7 +28,7 @@ def _free(stated: Reads, left: str = FREE, example: str = "12 mm") -> Reads:
     return Reads(
         read,
         {"anyOf": [{"enum": [left]}, dict(stated.schema)], "examples": [example, left]},
-        "length" if stated is not _SPEED else "speed",
+        stated.dimension,
     )
 
 
