@@ -419,7 +419,7 @@ FAULTS = (
     Fault("inertia of the follower lifts it on", TURN,
           "self.inertia * self.omega**2 * second,", "-self.inertia * self.omega**2 * second,", PRESS, ALONE),
     Fault("the weight of a lever at its pivot", TURN,
-          "cross(self._centre(turned), self.gravity)", "cross(self._centre(turned), 0 * self.gravity)", PRESS, ALONE),
+          "cross(self._centre(q), self.gravity)", "cross(self._centre(q), 0 * self.gravity)", PRESS, ALONE),
     Fault("a load of one stroke on both", TURN,
           'found.append(last == "return")', "found.append(False)", PRESS, ALONE),
     Fault("a hollow profile presses as a convex one", HERTZ,

@@ -287,7 +287,7 @@ FAULTS = (
           "s.turn(cam.follower, w * q.d, w * w * q.dd + e * q.d)",
           "s.turn(cam.follower, w * q.d, w * q.dd + e * q.d)", "cam_press", ("tests/mechanics/cams/test_cam.py",)),
     Fault("the pressure angle with the wrong sign", CAM + "solve/lifting.py",
-          "sense * cam.pressure(phi),", "-sense * cam.pressure(phi),", "cam_press",
+          "sense * cam.pressure_at(b, touch),", "-sense * cam.pressure_at(b, touch),", "cam_press",
           ("tests/chapters/lever/cams/test_cam_pairs.py",)),
     Fault("derivatives of the follower exchanged", CAM + "quantities/tables.py",
           "yield first(found).column(lifted.first)", "yield first(found).column(lifted.second)", "cam_press"),

@@ -8,6 +8,7 @@ import pytest
 
 from tmm_report import course, loading
 from tmm_report.chapters.cams.cam_forces import quantities as q
+from tmm_report.mechanics.cams.stated_profile import ByProfile
 from tmm_report.problems import ProblemError
 from tmm_report.results import tables
 
@@ -105,6 +106,15 @@ def test_over_a_profile_of_points_what_springs_and_inertia_give_back_is_nothing(
     low, high = (forces.loaded.at(x).N for x in near)  # as fine as 200 000 a turn
     assert own["cam_N_min"].value == pytest.approx(low.min(), rel=1e-6)
     assert own["cam_N_max"].value == pytest.approx(high.max(), rel=1e-6)
+
+
+def test_the_motion_over_a_profile_of_points_is_found_once(monkeypatch):
+    """Each time it is sought among all points of the profile."""
+    loaded = solved(POLAR, "mass: 1 kg, spring: {rate: 6 N/mm, preload: 60 N}, load: 50 N").cam_forces.loaded
+    sought, own = [], ByProfile.of
+    monkeypatch.setattr(ByProfile, "of", lambda self, phi: sought.append(np.size(phi)) or own(self, phi))
+    loaded.whole(np.linspace(0, 2 * math.pi, 100))
+    assert sought == [100]
 
 
 @pytest.mark.parametrize(

@@ -98,7 +98,7 @@ def test_the_whole_follower_is_in_equilibrium(seed):
     S, first, _ = one.lifted(X)
     phi = one.phi(X)
     q, b = cam.moved(phi)
-    here = touching(cam, phi, one.sense, one.rubs)
+    here = touching(cam, (q, b), one.sense, one.rubs)
     about = 0.3 - 0.2j
     parts = one.parts(X)
     if one.slides:
@@ -115,7 +115,7 @@ def test_the_whole_follower_is_in_equilibrium(seed):
         assert np.abs(moment).max() < 1e-9 * np.abs(found.R).max()
         return
     side, pivot = cam.motion.side, cam.motion.pivot
-    centre = one._centre(X)
+    centre = one._centre(q)
     weight = one.mass * one.gravity
     inertia = -one.mass * one.omega**2 * (1j * q.dd - q.d**2) * centre
     bears = -(found.R + weight + inertia)  # of the pivot on the follower

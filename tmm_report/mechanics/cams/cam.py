@@ -165,7 +165,10 @@ class Cam:
 
     def contact(self, phi: Array) -> Contact:
         """The contact at angles of the cam's x axis."""
-        q, b = self.moved(phi)
+        return self.touched(*self.moved(phi))
+
+    def touched(self, q: Moved, b: Moved) -> Contact:
+        """The contact where the follower has `moved`."""
         return self._of_face(q, b) if self.flat else self._of_roller(b)
 
     def _of_roller(self, b: Moved) -> Contact:
@@ -204,17 +207,14 @@ class Cam:
 
     def pressure(self, phi: Array) -> Array:
         """Pressure angle, rad: from the follower's motion when it is lifted to the normal, (..., P)."""
-        touch = self.contact(phi)
-        if isinstance(self.motion, Sliding):
-            ahead = self.motion.ahead(touch.at)
-        else:
-            arm = self._acts(phi, touch) - self.motion.pivot
-            ahead = self.motion.ahead(arm)
-        return np.angle(touch.normal * np.conj(ahead))
+        q, b = self.moved(phi)
+        return self.pressure_at(b, self.touched(q, b))
 
-    def _acts(self, phi: Array, touch: Contact) -> Array:
-        """The follower's point that is driven: the roller's centre, or the face at the contact."""
-        return touch.at if self.flat else self.moved(phi)[1].z
+    def pressure_at(self, b: Moved, touch: Contact) -> Array:
+        """The same where point and contact are known."""
+        driven = touch.at if self.flat else b.z  # the roller's centre, or the face at the contact
+        arm = driven if isinstance(self.motion, Sliding) else driven - self.motion.pivot
+        return np.angle(touch.normal * np.conj(self.motion.ahead(arm)))
 
     # ------------------------------------------------------------ in the cam's own axes
 
@@ -228,8 +228,11 @@ class Cam:
 
     def own_radius(self, phi: Array) -> Array:
         """Radius of curvature of the profile itself, m, + where it is convex."""
-        radius = self.contact(phi).radius
-        return radius if self.flat else radius - self.roller
+        return self.radius_at(self.contact(phi))
+
+    def radius_at(self, touch: Contact) -> Array:
+        """The same where the contact is known."""
+        return touch.radius - (self.roller or 0.0)
 
 
 def swept(mechanism: Mechanism) -> Array:

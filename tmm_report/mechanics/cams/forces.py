@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.mechanics.calculus.vectors import cross, dot
-from tmm_report.mechanics.cams.cam import Cam, Sliding
+from tmm_report.mechanics.cams.cam import Cam, Moved, Sliding
 from tmm_report.records import dataclass
 
 Array = Any
@@ -125,18 +125,19 @@ class Touching:
     S1: Array
 
 
-def lift_of(cam: Cam, phi: Array, sense: int) -> tuple[Array, Array, Array]:
+def lift_of(cam: Cam, q: Moved, sense: int) -> tuple[Array, Array, Array]:
     """The follower's coordinate in the sense of its lift with its derivatives by the angle turned in the sense of
     rotation, (P,): m of one that slides, rad of one that swings. The coordinate counts from where the cam's does."""
     way = 1 if isinstance(cam.motion, Sliding) else cam.motion.side
-    q = cam.moved(phi)[0]
     return way * q.z, way * sense * q.d, way * q.dd
 
 
-def touching(cam: Cam, phi: Array, sense: int, rubs: Rubs, outer: Array | bool = False) -> Touching:
-    """The contact with its friction at angles of the cam's x axis. `outer`: on the outer wall of a groove."""
-    q, b = cam.moved(phi)
-    found = cam.contact(phi)
+def touching(
+    cam: Cam, moved: tuple[Moved, Moved], sense: int, rubs: Rubs, outer: Array | bool = False
+) -> Touching:
+    """The contact with its friction where the follower has `moved`. `outer`: on the outer wall of a groove."""
+    q, b = moved
+    found = cam.touched(q, b)
     flank = np.where(outer, -1.0, 1.0)
     at = found.at if cam.flat else b.z - flank * (cam.roller or 0.0) * found.normal
     rate = 0.0 if isinstance(cam.motion, Sliding) else sense * q.d
@@ -152,7 +153,7 @@ def touching(cam: Cam, phi: Array, sense: int, rubs: Rubs, outer: Array | bool =
         slides = dot(surface - own, tangent)
         drag, leaned, way = slides, rubs.face, np.sign(slides)
     direction = flank * found.normal + way * leaned * tangent
-    return Touching(at, direction, b.z, np.abs(drag), lift_of(cam, phi, sense)[1])
+    return Touching(at, direction, b.z, np.abs(drag), lift_of(cam, q, sense)[1])
 
 
 def _leaned(pin: Pin | None, roller: float) -> float:
@@ -164,19 +165,25 @@ def _leaned(pin: Pin | None, roller: float) -> float:
 
 
 def pressed(
-    cam: Cam, phi: Array, sense: int, needs: Needs, rubs: Rubs, S: Array, groove: bool = False
+    cam: Cam,
+    moved: tuple[Moved, Moved],
+    sense: int,
+    needs: Needs,
+    rubs: Rubs,
+    S: Array,
+    groove: bool = False,
 ) -> Pressed:
-    """Forces at angles of the cam's x axis, (P,). `S`: displacement, m or rad; `groove`: the cam holds the follower to
+    """Forces where the follower has `moved`, (P,). `S`: displacement, m or rad; `groove`: the cam holds the follower to
     itself by a second wall."""
-    Q = needs.Q + np.zeros(np.shape(phi))
+    Q = needs.Q + np.zeros(np.shape(S))
     none = Rubs()
-    smooth = touching(cam, phi, sense, none)
+    smooth = touching(cam, moved, sense, none)
     arm = _lifting(cam, smooth)
     plain = Q / arm
     without = sense * cross(smooth.at, plain * smooth.direction)
     pulled = Q < 0
     outer = pulled & groove
-    here = touching(cam, phi, sense, rubs, outer)
+    here = touching(cam, moved, sense, rubs, outer)
     sign = np.where(outer, -1.0, 1.0)
     size, share, ends = _solved(cam, here, needs, Q, rubs, S, sign, sign * arm)
     freed = pulled & ~outer

@@ -14,7 +14,7 @@ def undercut(cam: Cam, groove: bool, cutter: float | None, phi: Array) -> str:
     roller, so that the outer wall has a cusp; "cutter" where the profile is more hollow than
     the cutter; else nothing."""
     touch = cam.contact(phi)
-    pitch, own = touch.radius, cam.own_radius(phi)
+    pitch, own = touch.radius, cam.radius_at(touch)
     hollow = -pitch[pitch < 0]
     if groove and hollow.size and hollow.min() <= (cam.roller or 0.0):
         return "outer"

@@ -16,7 +16,7 @@ import numpy as np
 from tmm_report.mechanics.calculus import laws
 from tmm_report.mechanics.calculus.panels import Panels, panels
 from tmm_report.mechanics.calculus.vectors import cross, dot
-from tmm_report.mechanics.cams.cam import ByLaw, Cam, Sliding
+from tmm_report.mechanics.cams.cam import ByLaw, Cam, Moved, Sliding
 from tmm_report.mechanics.cams.contact_pressure import Material, curvature, hertz
 from tmm_report.mechanics.cams.follower_laws import EDGE, FULL_TURN, Phases
 from tmm_report.mechanics.cams.forces import Needs, Pressed, Rubs, bears, lift_of, pressed, touching, ways
@@ -45,6 +45,14 @@ class Parts(NamedTuple):
     @property
     def whole(self) -> Array:
         return self.load + self.weight + self.spring + self.inertia
+
+
+class Whole(NamedTuple):
+    """`lifted`: S, S', S'' by the angle turned."""
+
+    lifted: tuple[Array, Array, Array]
+    parts: Parts
+    pressed: Pressed
 
 
 class Contact(NamedTuple):
@@ -90,19 +98,22 @@ class Loaded:
         given = self.cam.given
         if isinstance(given, ByLaw):
             return given.side * given.low
-        return self._smooth.extremes(self._lift(self._smooth.x)[0])[0][0]
+        return self._smooth.extremes(lift_of(self.cam, self._moved(self._smooth.x)[0], self.sense)[0])[0][0]
 
     @cached_property
     def _smooth(self) -> Panels:
         return panels(FULL_TURN, self.breaks)
 
-    def _lift(self, turned: Array) -> tuple[Array, Array, Array]:
-        return lift_of(self.cam, self.phi(turned), self.sense)
+    def _moved(self, turned: Array) -> tuple[Moved, Moved]:
+        return self.cam.moved(self.phi(turned))
 
     def lifted(self, turned: Array) -> tuple[Array, Array, Array]:
         """S, S', S'' by the angle turned in the sense of rotation; m or rad."""
-        q, first, second = self._lift(turned)
-        return q - self.low, first, second
+        return self._lifted(self._moved(turned)[0])
+
+    def _lifted(self, q: Moved) -> tuple[Array, Array, Array]:
+        S, first, second = lift_of(self.cam, q, self.sense)
+        return S - self.low, first, second
 
     @cached_property
     def lift(self) -> float:
@@ -119,15 +130,13 @@ class Loaded:
 
     # ------------------------------------------------------------ what the follower needs
 
-    def acting(self, turned: Array) -> Array:
+    def _acting(self, turned: Array, S: Array, first: Array) -> Array:
         """The load, N or N m, against the lift."""
-        turned = np.asarray(turned, dtype=float)
         if self.load.of == laws.TRAVEL:
-            S = self.lifted(turned)[0]
-            return self.load.value(np.clip(S / self.lift, 0.0, 1.0), self._back(turned))
+            return self.load.value(np.clip(S / self.lift, 0.0, 1.0), self._back(turned, first))
         return self.load.value(np.mod(turned, FULL_TURN))
 
-    def _back(self, turned: Array) -> Array:
+    def _back(self, turned: Array, first: Array) -> Array:
         """1 on the way back, and in the low dwell after it; 0 on the way out and in the high dwell."""
         given = self.cam.given
         if isinstance(given, ByLaw) and isinstance(given.law, Phases):
@@ -140,43 +149,50 @@ class Loaded:
                 last = last if kind == "dwell" else kind
                 found.append(last == "return")
             return np.array(found, dtype=int)[k]
-        return (self.lifted(turned)[1] < 0).astype(int)
+        return (first < 0).astype(int)
 
     def parts(self, turned: Array) -> Parts:
-        S, _, second = self.lifted(turned)
+        return self._parts(turned, self._moved(turned)[0])
+
+    def _parts(self, turned: Array, q: Moved) -> Parts:
+        S, first, second = self._lifted(q)
         return Parts(
-            self.acting(turned) + 0 * S,
-            self._weight(turned) + 0 * S,
+            self._acting(np.asarray(turned, dtype=float), S, first) + 0 * S,
+            self._weight(q) + 0 * S,
             self.spring.preload + self.spring.rate * S,
             self.inertia * self.omega**2 * second,
         )
 
-    def _weight(self, turned: Array) -> Array:
+    def _weight(self, q: Moved) -> Array:
         motion = self.cam.motion
         if isinstance(motion, Sliding):
             return -self.mass * dot(self.gravity, motion.along)
-        return -self.mass * motion.side * cross(self._centre(turned), self.gravity)
+        return -self.mass * motion.side * cross(self._centre(q), self.gravity)
 
-    def _centre(self, turned: Array) -> Array:
+    def _centre(self, q: Moved) -> Array:
         """Of one that swings, its centre of mass from the pivot, world axes."""
-        return self.centre * self.cam.turn(self.cam.moved(self.phi(turned))[0].z)
+        return self.centre * self.cam.turn(q.z)
 
-    def _beside(self, turned: Array) -> Array:
+    def _beside(self, q: Moved) -> Array:
         """What bears on the pivot of one that swings beside the cam: weight and inertia of its mass."""
         if self.slides or not self.mass:
             return 0j
-        q = self.cam.moved(self.phi(turned))[0]
-        moves = (1j * q.dd - q.d**2) * self._centre(turned) * self.omega**2
+        moves = (1j * q.dd - q.d**2) * self._centre(q) * self.omega**2
         return self.mass * (self.gravity - moves)
 
     # ------------------------------------------------------------ the forces
 
     def at(self, turned: Array) -> Pressed:
         """Forces at angles turned, (P,)."""
-        Q = self.parts(turned).whole
-        needs = Needs(Q, self._beside(turned))
-        S = self.lifted(turned)[0]
-        return pressed(self.cam, self.phi(turned), self.sense, needs, self.rubs, S, self.groove)
+        return self.whole(turned).pressed
+
+    def whole(self, turned: Array) -> Whole:
+        """Motion, what is needed and forces at angles turned, (P,)."""
+        moved = self._moved(turned)
+        lifted, parts = self._lifted(moved[0]), self._parts(turned, moved[0])
+        needs = Needs(parts.whole, self._beside(moved[0]))
+        found = pressed(self.cam, moved, self.sense, needs, self.rubs, lifted[0], self.groove)
+        return Whole(lifted, parts, found)
 
     def pressure(self, turned: Array, N: Array) -> Array:
         """Pressure in the contact, Pa, where the cam presses."""
@@ -192,11 +208,12 @@ class Loaded:
         changes its side, and where the cam ceases to press."""
         marks = [*self.breaks, *self._load_breaks()]
         first = panels(FULL_TURN, marks)
-        S, slope, _ = self.lifted(first.x)
-        turning = [np.where(ways(slope) == 0, 0.0, slope), self.parts(first.x).whole]
+        moved = self._moved(first.x)
+        S, slope, _ = self._lifted(moved[0])
+        turning = [np.where(ways(slope) == 0, 0.0, slope), self._parts(first.x, moved[0]).whole]
         motion = self.cam.motion
         if isinstance(motion, Sliding):
-            here = touching(self.cam, self.phi(first.x), self.sense, self.rubs)
+            here = touching(self.cam, moved, self.sense, self.rubs)
             ends = bears(motion, here, self.rubs.guide, S)
             turning += [] if ends is None else [*ends]
         roots = [root for function in turning for root in _passing(first, function)]
@@ -218,9 +235,10 @@ class Loaded:
     def lifts_off(self) -> Reached | None:
         """At which speed, rad/s, and where the follower leaves the cam."""
         over = self.panels
-        parts = self.parts(over.x)
+        q = self._moved(over.x)[0]
+        parts = self._parts(over.x, q)
         holds = parts.load + parts.weight + parts.spring
-        return lifts_off(over, holds, self.inertia, self.lifted(over.x)[2])
+        return lifts_off(over, holds, self.inertia, self._lifted(q)[2])
 
 
 def _passing(over: Panels, values: Array) -> Array:

@@ -251,9 +251,9 @@ def solve(given: Given, cam: CamAlone) -> Found:
 
 
 def _at(loaded: Loaded, turned: Array) -> At:
-    pressed = loaded.at(turned)
+    lifted, parts, pressed = loaded.whole(turned)
     pressure = loaded.pressure(turned, pressed.N) if loaded.contact else None
-    return At(turned, loaded.lifted(turned), loaded.parts(turned), pressed, pressure)
+    return At(turned, lifted, parts, pressed, pressure)
 
 
 def _springs(given: Given, asked: SpringAsked) -> Iterator[Held]:

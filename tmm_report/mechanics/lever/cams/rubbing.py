@@ -92,4 +92,4 @@ def across(contact: Contact, made: Rub) -> Array:
 
 def _touching(contact: Contact, motion: Motion, rubs: Rubs) -> Any:
     sense = 1 if np.ravel(motion.state.w[contact.cam.cam])[0] >= 0 else -1
-    return touching(contact.cam, np.broadcast_to(motion.phi, motion.shape), sense, rubs)
+    return touching(contact.cam, contact.cam.moved(np.broadcast_to(motion.phi, motion.shape)), sense, rubs)

@@ -18,12 +18,13 @@ def must_touch(made: Cam) -> None:
     """The follower touches its cam all round, and by law the profile has neither cusps nor hollows that it cannot."""
     phi = np.linspace(0, FULL_TURN, GRID)
     with np.errstate(invalid="ignore", divide="ignore"):
-        radius, bad = made.contact(phi).radius, ~np.isfinite(made.moved(phi)[0].z)
+        q, b = made.moved(phi)
+        radius, bad = made.touched(q, b).radius, ~np.isfinite(q.z)
     if bad.any():
         key = "profile" if isinstance(made.given, ByProfile) else "swing"
         raise Wrong(key, Message(N_("the follower does not reach its cam all round")))
     if made.flat:
-        _must_be_convex(made, phi, radius)
+        _must_be_convex(made, radius)
     elif made.roller and isinstance(made.given, ByLaw):
         convex = radius[radius > 0]
         if convex.size and (least := float(convex.min())) <= made.roller:
@@ -34,10 +35,11 @@ def must_touch(made: Cam) -> None:
             right = N_("a larger base circle, a smaller roller, a longer phase or a smoother law")
             values = {"least": f"{least:.4g}", "roller": f"{made.roller:.4g}"}
             raise Wrong("base", Message(text, values), Message(right))
-    _must_go_round(made, phi)
+    if not made.flat:
+        _must_go_round(made, b.z * np.exp(-1j * phi))
 
 
-def _must_be_convex(made: Cam, phi: np.ndarray, radius: np.ndarray) -> None:
+def _must_be_convex(made: Cam, radius: np.ndarray) -> None:
     least = float(radius.min())
     if least <= 0:
         text = N_("a flat face needs a convex profile: its radius of curvature falls to %(least)s m")
@@ -49,11 +51,9 @@ def _must_be_convex(made: Cam, phi: np.ndarray, radius: np.ndarray) -> None:
         )
 
 
-def _must_go_round(made: Cam, phi: np.ndarray) -> None:
+def _must_go_round(made: Cam, turned: np.ndarray) -> None:
     """The pitch curve goes once round the axis, always one way: else the follower swings through the cam's pivot."""
-    path = made.contact(phi).at if made.flat else made.moved(phi)[1].z
-    turned = path * np.exp(-1j * phi)
     rate = cross(turned[:-1], turned[1:])
-    if not made.flat and np.any(rate >= 0):
+    if np.any(rate >= 0):
         text = N_("the follower passes the cam's pivot: the profile does not go once round it")
         raise Wrong("base" if isinstance(made.given, ByLaw) else "profile", Message(text))

@@ -85,8 +85,9 @@ def _places(found: CamFound) -> list[tuple[int, complex, complex]]:
     """Number, place of the follower's end (the contact of a flat face) and outward normal, to a cam at rest, m."""
     count = found.turn.distinct
     phi = found.phi(found.table.turned[:count])
-    touch = found.cam.contact(phi)
-    end = touch.at if found.cam.flat else found.cam.moved(phi)[1].z
+    q, b = found.cam.moved(phi)
+    touch = found.cam.touched(q, b)
+    end = touch.at if found.cam.flat else b.z
     turn = np.exp(-1j * phi) * _turned(found)
     return [
         (k, complex(z), complex(n))

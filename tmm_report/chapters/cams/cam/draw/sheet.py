@@ -65,7 +65,8 @@ class Reversed:
         cam, numbers = found.cam, shown(found)
         phi = found.phi(found.table.turned[numbers])
         back = np.exp(-1j * phi) * cmath.exp(1j * float(found.phi(0.0)))
-        touch, (_, b) = cam.contact(phi), cam.moved(phi)
+        q, b = cam.moved(phi)
+        touch = cam.touched(q, b)
         root = complex(getattr(cam.motion, "foot", 0j)) if found.slides else found.pivot
         along = np.full(phi.shape, complex(getattr(cam.motion, "along", 1j)))
         self.numbers = numbers

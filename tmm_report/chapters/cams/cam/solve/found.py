@@ -361,7 +361,7 @@ class CamFound:
         def along(turned: Array) -> Array:
             phi = self.phi(turned)
             q, b = self.cam.moved(phi)
-            at = self.cam.contact(phi).at - (b.z if self.slides else self.pivot)
+            at = self.cam.touched(q, b).at - (b.z if self.slides else self.pivot)
             place = np.real(at * np.conj(self.cam.turn(q.z) * self.cam.face))
             return np.array([-place, place])
 

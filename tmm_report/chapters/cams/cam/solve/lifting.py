@@ -59,19 +59,19 @@ def lifted(cam: Cam, turn: Turn, turned: Array, low: float) -> Lifted:
     sense, side = turn.sense, side_of(cam)
     phi = turn.phi(turned)
     q, b = cam.moved(phi)
-    touch = cam.contact(phi)
+    touch = cam.touched(q, b)
     profile, pitch = touch.at * np.exp(-1j * phi), b.z * np.exp(-1j * phi)
     return Lifted(
         turned,
         side * q.z - low,
         side * sense * q.d,
         side * q.dd,
-        sense * cam.pressure(phi),
+        sense * cam.pressure_at(b, touch),
         np.abs(profile),
         np.mod(np.angle(profile), FULL_TURN),
         np.abs(pitch),
         np.mod(np.angle(pitch), FULL_TURN),
-        cam.own_radius(phi),
+        cam.radius_at(touch),
     )
 
 
