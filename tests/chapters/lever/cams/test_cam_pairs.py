@@ -1,17 +1,19 @@
 """The chapter of cam pairs, and what the chapters after it make of a mechanism that has one."""
 
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from tmm_report import course, loading
+from tmm_report import course, loading, render
 from tmm_report.chapters.cams.cam import formulas
 from tmm_report.chapters.cams.cam import quantities as q
 from tmm_report.mechanics.lever.cycle import Cycle
 from tmm_report.quantity.formula import agrees, at
 from tmm_report.quantity.model import Book
 
+STATED = Path(__file__).parents[3] / "statements/cam_offset_roller.yaml"
 LAW = "phases: [{rise: 100 deg, law: %s}, {dwell: 30 deg}, {return: 120 deg, law: %s}, {dwell: 110 deg}]"
 ENDS = {
     "roller": ("S", "roller: {at: B, radius: 8 mm}, base: 40 mm, lift: 20 mm"),
@@ -165,6 +167,14 @@ def test_a_steeper_rise_exceeds_the_limit_and_the_note_says_it():
     )
     (found,) = course.solve(loading.loads(steep)).lever.cams.cams
     assert found.exceeds and np.degrees(found.rise.value) > 30
+
+
+def test_a_cam_whose_dwell_is_curved_most_has_its_note():
+    results = course.solve(loading.load(STATED))
+    (found,) = results.lever.cams.cams
+    assert found.moving.value > found.least.value * 1.001
+    page = render(results, "html", "en", "short")["note.html"].decode()
+    assert "The least radius of curvature of the profile" in page and "Without the dwells" not in page
 
 
 def test_integrals_step_from_phase_to_phase():

@@ -396,8 +396,8 @@ class CamView(BookView):
 
     @property
     def dwells_curved(self) -> bool:
-        """Whether the profile is curved most where the follower stands still."""
-        moving = self.found.moving
+        """Whether the profile of a cam alone is curved most where the follower stands still."""
+        moving = self.found.moving if self.knows("cam_rho_moving") else None
         return moving is not None and moving.value > self.found.least.value * (1 + ALIKE)
 
     # ------------------------------------------------------------ of a cam alone
