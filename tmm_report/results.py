@@ -10,6 +10,7 @@ import csv
 import io
 import math
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import is_dataclass
 from types import ModuleType
 from typing import Any, cast
 
@@ -121,9 +122,11 @@ def _title(results: Results, tr: Translator) -> Mapping[str, Any]:
 
 
 def _translated(text: Any, tr: Translator) -> Any:
-    return (
-        [_translated(one, tr) for one in text] if isinstance(text, tuple) else in_language(text, tr.gettext)
-    )
+    if isinstance(text, tuple):
+        return [_translated(one, tr) for one in text]
+    if is_dataclass(text):
+        return {name: _translated(one, tr) for name, one in vars(text).items()}
+    return in_language(text, tr.gettext)
 
 
 def _numbers(column: Any) -> list[Any]:

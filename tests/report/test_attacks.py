@@ -15,7 +15,7 @@ from payloads import PAYLOADS
 from typer.testing import CliRunner
 
 from tmm_report import load, solve
-from tmm_report.chapters.title.given import Title
+from tmm_report.chapters.title.given import Signer, Title
 from tmm_report.cli import app
 
 
@@ -25,7 +25,7 @@ def hostile():
     variant = load(VARIANTS / "compressor.yaml")
     everything = " ¶ ".join(PAYLOADS.values())
     texts = {name: everything for name, text in vars(Title()).items() if isinstance(text, str)}
-    title = Title(**texts, lines=(everything,), signed=((everything, everything),))
+    title = Title(**texts, lines=(everything,), signed=(Signer(everything, everything),))
     assert variant.lever.loads is not None
     forces = tuple(replace(force, name=everything) for force in variant.lever.loads.forces)
     assert variant.drive is not None

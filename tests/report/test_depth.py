@@ -161,8 +161,8 @@ def test_headings_keep_their_ranks_in_an_appendix():
 
 def test_letters_are_listed_where_it_is_asked():
     results = solved("crank_rocker")
-    assert "List of symbols" in heads(noted(results, depth="short", symbols=True))
-    assert "List of symbols" not in heads(noted(results, depth="full", symbols=False))
+    assert "List of symbols" in heads(noted(results, depth="short", symbols="list"))
+    assert "List of symbols" not in heads(noted(results, depth="full", symbols="where"))
 
 
 def test_the_text_does_not_rely_on_what_an_appendix_explains():
@@ -208,5 +208,5 @@ def test_what_a_variant_states_is_read():
     assert read("compressor").note == Note()
     more = "\nnote: {depth: short, body: [plans], omit: [spur.contour], symbols: list}\n"
     found = loads((VARIANTS / "crank_rocker.yaml").read_text("utf-8") + more).note
-    assert found == Note("short", ("plans",), (), ("spur.contour",), True)
+    assert found == Note("short", ("plans",), (), ("spur.contour",), "list")
     assert found.stand("plans.others") == "body" and found.stand("spur.contour") == "omit"
