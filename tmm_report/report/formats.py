@@ -6,7 +6,7 @@ Whatever is not Markup is escaped for its format, so that a name from a variant 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import field
 from functools import lru_cache
 from typing import Any, Protocol
@@ -22,8 +22,8 @@ from tmm_report.records import dataclass
 from tmm_report.report.paper.layout import Cell, Words
 from tmm_report.report.paper.lines import broken, finer, pieces
 from tmm_report.report.paper.measure import breakable
-from tmm_report.report.paper.rows import Kept, Row, laid
-from tmm_report.report.paper.sheets import USUAL, Paper
+from tmm_report.report.paper.rows import Kept, Row, Waiting
+from tmm_report.report.paper.sheets import Paper
 
 
 class Mathematics(Protocol):
@@ -35,20 +35,17 @@ class Mathematics(Protocol):
 
 
 @dataclass
-class Html:
+class Html(Waiting[Markup]):
     """One self-contained file: pictures stand in it as svg.
 
     `breaking`: whether a line may break within words longer than any of a language, as in a note.
-    `waiting`: figures that have sheets of their own, and those behind them: they stand before the next heading,
-    together, so that the text goes on and is broken once; `gathers`: so all others, too.
+    Figures that have sheets of their own wait, and those behind them: they stand before the next heading, together, so
+    that the text goes on and is broken once.
     """
 
     name = "html"
     breaking: bool = False
-    paper: Paper = USUAL
     files: dict[str, bytes] = field(default_factory=dict)
-    waiting: list[Kept[Markup]] = field(default_factory=list)
-    gathers: bool = False
 
     def escape(self, text: str) -> Markup:
         return _escaped(text, self.breaking)
@@ -71,11 +68,6 @@ class Html:
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         return Markup(svg(_drawing(picture)))
 
-    def gather(self) -> Markup:
-        """From here on figures wait for the next heading, so that they share the paper."""
-        self.gathers = True
-        return Markup("")
-
     def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
         """A figure with its caption where it stands: in the text, or behind those that wait."""
         if not self.gathers and not self.waiting and self.paper.sheet_of(picture.size) is None:
@@ -87,26 +79,11 @@ class Html:
         """At a heading that the text goes on with: figures that wait for a sheet wait on, and those behind them."""
         return Markup("") if any(self.paper.sheet_of(one.size) for one in self.waiting) else self.due()
 
-    def apart(self, write: Callable[[], Markup]) -> Markup:
-        """What stands elsewhere, in an appendix, with the sheets of its own figures."""
-        before, self.waiting, self.gathers = (self.waiting, self.gathers), [], False
-        try:
-            return write() + self.due()
-        finally:
-            self.waiting, self.gathers = before
-
-    def due(self) -> Markup:
-        """The figures that wait, side by side and on sheets."""
-        blocks = laid(self.waiting, self.paper)
-        self.waiting, self.gathers = [], False
-        return Markup("".join(map(_block, blocks)))
-
-
-def _block(rows: Sequence[Row[Markup]]) -> Markup:
-    """Rows of figures on a sheet, or one in the text."""
-    figures = Markup("").join(map(_row, rows))
-    sheet = rows[0].sheet
-    return Markup(f'<div class="sheet {sheet.name}">\n{figures}</div>\n') if sheet else figures
+    def block(self, rows: Sequence[Row[Markup]]) -> Markup:
+        """Rows of figures on a sheet, or one in the text."""
+        figures = Markup("").join(map(_row, rows))
+        sheet = rows[0].sheet
+        return Markup(f'<div class="sheet {sheet.name}">\n{figures}</div>\n') if sheet else figures
 
 
 def _row(row: Row[Markup]) -> Markup:
@@ -127,14 +104,11 @@ def _data(cell: Any) -> str:
 
 
 @dataclass
-class Tex:
+class Tex(Waiting[tuple[str, Markup, Markup]]):
     """`files`: the figures that note.tex reads, by their names beside it."""
 
     name = "tex"
-    paper: Paper = USUAL
     files: dict[str, bytes] = field(default_factory=dict)
-    waiting: list[Kept[tuple[str, Markup, Markup]]] = field(default_factory=list)
-    gathers: bool = False
 
     def escape(self, text: str) -> Markup:
         return Markup(_BREAK_TEX.join(map(tex_escape, breakable(text))))
@@ -147,43 +121,20 @@ class Tex:
         line = self.paper.line
         return Markup("".join(_displayed(one, line) for one in pieces(text)) if display else f"${text}$")
 
-    def gather(self) -> Markup:
-        """As in HTML, of the figures that the text holds."""
-        self.gathers = True
-        return Markup("")
-
     def placed(self, anchor: str, caption: Markup, drawn: Markup, picture: Drawing | Graph) -> Markup:
         """A figure where it stands, in the text or behind those that wait; a sheet follows them."""
         if self.gathers and self.paper.sheet_of(picture.size) is None:
             self.waiting.append(Kept((anchor, caption, drawn), picture.size))
             return Markup("")
-        before, self.waiting = self._rows(), []
-        paper = self.sheet(picture)
+        before, paper = self.laid(), self.sheet(picture)
         kind, more = ("NoteSheet", f"{{{paper}}}") if paper else ("NoteFigure", "")
         return before + Markup(
             f"\\begin{{{kind}}}{{{anchor}}}{{{caption}}}{more}\n\n{drawn}%\n\\end{{{kind}}}\n\n"
         )
 
-    def due(self) -> Markup:
-        """The figures that wait, side by side."""
-        rows, self.waiting, self.gathers = self._rows(), [], False
-        return rows
-
-    def _rows(self) -> Markup:
-        return Markup("").join(
-            _tex_row(row, self.paper) for rows in laid(self.waiting, self.paper) for row in rows
-        )
-
-    def flowing(self) -> Markup:
-        """As in HTML: sheets of LaTeX wait by themselves."""
-        return self.due()
-
-    def apart(self, write: Callable[[], Markup]) -> Markup:
-        before, self.waiting, self.gathers = (self.waiting, self.gathers), [], False
-        try:
-            return write() + self.due()
-        finally:
-            self.waiting, self.gathers = before
+    def block(self, rows: Sequence[Row[tuple[str, Markup, Markup]]]) -> Markup:
+        """Rows of figures that the text holds: what has a sheet of its own waits in LaTeX."""
+        return Markup("").join(_tex_row(row, self.paper) for row in rows)
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         name = f"figures/{anchor}.tex"

@@ -74,7 +74,7 @@ FAULTS = (
     Fault("figures of a sheet higher than it", "tmm_report/report/paper/rows.py",
           "for one in (*rows, row)) > sheet.field[1]", "for one in rows) > sheet.field[1]", tests=SHEETS),
     Fault("gathered figures of LaTeX lost", "tmm_report/report/formats.py",
-          "_tex_row(row, self.paper) for rows in laid(", "_tex_row(row, self.paper) for rows in 0 * laid(",
+          "_tex_row(row, self.paper) for row in rows)", "_tex_row(row, self.paper) for row in rows[:0])",
           tests=SHEETS),
     # --- force plans as a person draws them ---
     Fault("unknowns of a force equation both at its end", FORCES + "drafting/dyad.py",

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import field
 from typing import Generic, NamedTuple, TypeVar
 
-from tmm_report.report.paper.sheets import CAPTION, Paper, Sheet
+from markupsafe import Markup
+
+from tmm_report.records import dataclass
+from tmm_report.report.paper.sheets import CAPTION, USUAL, Paper, Sheet
 
 NARROW = 40.0  # mm: a caption is not set narrower
 GAP = 4.0  # mm between figures side by side
@@ -40,6 +44,46 @@ class Row(NamedTuple, Generic[T]):
     @property
     def wide(self) -> float:
         return sum(one.wide for one in self.figures) + GAP * (len(self.figures) - 1)
+
+
+@dataclass
+class Waiting(Generic[T]):
+    """What a format keeps for the next heading. `gathers`: so all figures, not only those that must wait."""
+
+    paper: Paper = USUAL
+    waiting: list[Kept[T]] = field(default_factory=list)
+    gathers: bool = False
+
+    def block(self, rows: Sequence[Row[T]]) -> Markup:
+        """The markup of rows that stand together."""
+        raise NotImplementedError
+
+    def gather(self) -> Markup:
+        """From here on figures wait for the next heading, so that they share the paper."""
+        self.gathers = True
+        return Markup("")
+
+    def laid(self) -> Markup:
+        """The figures that wait, side by side and on sheets."""
+        blocks, self.waiting = laid(self.waiting, self.paper), []
+        return Markup("".join(map(self.block, blocks)))
+
+    def due(self) -> Markup:
+        """The same at a heading: those behind it do not wait."""
+        self.gathers = False
+        return self.laid()
+
+    def flowing(self) -> Markup:
+        """At a heading that the text goes on with."""
+        return self.due()
+
+    def apart(self, write: Callable[[], Markup]) -> Markup:
+        """What stands elsewhere, in an appendix, with the sheets of its own figures."""
+        before, self.waiting, self.gathers = (self.waiting, self.gathers), [], False
+        try:
+            return write() + self.due()
+        finally:
+            self.waiting, self.gathers = before
 
 
 def laid(waiting: Iterable[Kept[T]], paper: Paper) -> list[list[Row[T]]]:
