@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import zipfile
 from pathlib import Path
 
@@ -47,6 +48,16 @@ def told(file: Path) -> str:
     with pytest.raises(ProblemError) as error:
         load(file)
     return str(error.value)
+
+
+@pytest.mark.parametrize("page", ["department", "profile"])
+def test_what_the_documentation_writes_is_read(folder, page):
+    docs = (VARIANTS.parent / "docs" / f"{page}.md").read_text("utf-8")
+    written = re.findall(r"```yaml\n(.*?)```", docs, re.DOTALL)
+    assert written
+    for text in written:
+        (folder / "department.yaml").write_text(text, encoding="utf-8")
+        assert load(folder / "a.yaml").title.student == "Иванов И. И."
 
 
 @pytest.mark.parametrize("name", NAMES)
