@@ -2,7 +2,7 @@
 
     python -m benchmarks.pages [NAME ...] [--depth short|course|full] [--language ru|en] [--chapters]
 
-Prints HTML notes of shipped variants by a headless Chromium (`chromium` on the PATH), reads the PDF with Poppler's
+Prints HTML notes of shipped variants by a headless Chromium (as `solve --print` finds it), reads the PDF with Poppler's
 `pdftotext` and `pdftoppm`. A chapter's pages are counted in parts, from its heading to the next one; `fill` is the
 share of the room between a page's margins down to the lowest ink, the last page of every chapter left out. Pages of the
 text and of the appendices are told apart: 82 + 23.
@@ -21,10 +21,10 @@ from typing import NamedTuple
 import numpy as np
 
 from tmm_report import load, render, solve
+from tmm_report.commands.printing import printed
 from tmm_report.course import DEPTHS
 
 VARIANTS = Path(__file__).parents[1] / "variants"
-PRINT = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer"]
 WORD = re.compile(r'<word xMin="([\d.]+)" yMin="([\d.]+)" xMax="[\d.]+" yMax="[\d.]+">(.*?)</word>')
 DOTS = 20  # an inch, at which ink is looked for
 BELOW = 18.0  # mm from the lower edge: there stands the page's number
@@ -38,14 +38,6 @@ class Chapter(NamedTuple):
     start: float
     end: float
     fill: list[float]
-
-
-def printed(html: bytes, folder: Path) -> Path:
-    """The PDF of a note."""
-    source, pdf = folder / "note.html", folder / "note.pdf"
-    source.write_bytes(html)
-    subprocess.run([*PRINT, f"--print-to-pdf={pdf}", source.as_uri()], check=True, capture_output=True)
-    return pdf
 
 
 def read_words(pdf: Path) -> list[list[tuple[float, float, str]]]:
@@ -111,7 +103,8 @@ def main() -> None:
             "note.html"
         ]
         with TemporaryDirectory() as made:
-            pdf = printed(html, Path(made))
+            pdf = Path(made, "note.pdf")
+            pdf.write_bytes(printed(html))
             words, filled = read_words(pdf), fills(pdf, Path(made))
         found = list(chapters(html, words, filled))
         every = [one for chapter in found for one in chapter.fill]

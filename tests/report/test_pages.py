@@ -7,8 +7,9 @@ import pytest
 from conftest import read
 from notes import program
 
-from benchmarks.pages import chapters, fills, printed, read_words
+from benchmarks.pages import chapters, fills, read_words
 from tmm_report import render, solve
+from tmm_report.commands.printing import printed
 
 MOST = {  # pages of the text and of the appendices, MB of the HTML
     ("compressor", "course"): (55, 30, 1.5),
@@ -24,7 +25,8 @@ def test_a_note_takes_no_more_pages_than_it_may(name, depth):
     text, appendices, size = MOST[name, depth]
     html = render(solve(read(name)), "html", depth=depth)["note.html"]
     with TemporaryDirectory() as folder:
-        pdf = printed(html, Path(folder))
+        pdf = Path(folder, "note.pdf")
+        pdf.write_bytes(printed(html))
         words, filled = read_words(pdf), fills(pdf, Path(folder))
     apart = [int(one.start) for one in chapters(html, words, filled) if one.appendix]
     of_text = min(apart, default=len(words))

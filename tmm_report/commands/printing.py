@@ -42,12 +42,9 @@ def print_pdf(note: bytes) -> bytes:
     The page loads nothing and runs nothing (its Content-Security-Policy); the browser has a profile of its own, and is
     stopped with all its children when its time is up.
     """
-    program = next((path for path in map(shutil.which, BROWSERS) if path), None)
-    if program is None:
-        raise NoBrowser
     found: Mapping[str, int] = {}
     for _ in range(TIMES):
-        pdf = _printed(program, with_pages(note, found))
+        pdf = printed(with_pages(note, found))
         before, found = found, pages(pdf)
         if found == before:
             break
@@ -60,7 +57,11 @@ def _author(note: bytes) -> str:
     return unescape(found[1]) if found else ""
 
 
-def _printed(program: str, html: bytes) -> bytes:
+def printed(html: bytes) -> bytes:
+    """The note as the browser prints it by itself; raises as `print_pdf` does."""
+    program = next((path for path in map(shutil.which, BROWSERS) if path), None)
+    if program is None:
+        raise NoBrowser
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as place:
         folder = Path(place)
         (folder / "note.html").write_bytes(html)
