@@ -16,7 +16,7 @@ from typesetting import set_by_tex, typeset
 
 from tmm_report import solve
 from tmm_report.chapters.title.given import Title
-from tmm_report.commands.pdf import bare, compile_pdf
+from tmm_report.commands.pdf import bare, compiled
 from tmm_report.languages import LANGUAGES
 from tmm_report.lint import paper
 from tmm_report.lint.made import Made
@@ -67,7 +67,7 @@ def test_nothing_of_a_wide_note_is_wider_than_the_text():
 @pytest.mark.exhaustive
 def test_pdf_is_the_same_twice():
     _, pdf = typeset("eccentric", "en")
-    assert compile_pdf(note("eccentric", "tex", "en")) == pdf
+    assert compiled(note("eccentric", "tex", "en"))["note.pdf"] == pdf
 
 
 @pytest.mark.exhaustive
@@ -105,7 +105,7 @@ def test_letters_of_every_language_of_the_users_are_set(tmp_path):
     assert "Қ" in variant.lever.mechanism.point_names
     found = solve(replace(variant, title=Title(topic=letters, student=letters)))
     program("pdflatex")
-    (tmp_path / "note.pdf").write_bytes(compile_pdf(render(found, "tex", "ru")))
+    (tmp_path / "note.pdf").write_bytes(compiled(render(found, "tex", "ru"))["note.pdf"])
     command = [program("pdftotext"), "-layout", str(tmp_path / "note.pdf"), "-"]
     printed = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", check=True).stdout
     assert printed.count(letters) == 4 and "?" not in printed and printed.count("Қ") > 10

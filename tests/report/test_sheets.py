@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from markupsafe import Markup
 from notes import program
 
-from tmm_report.commands.pdf import compile_pdf
+from tmm_report.commands.pdf import compiled
 from tmm_report.figures.drawing import Drawing, line
 from tmm_report.i18n import Translator
 from tmm_report.profiles import NAMES, shipped
@@ -161,7 +161,7 @@ def note(*sizes: tuple[float, float]) -> dict[str, bytes]:
 
 def printed(files: dict[str, bytes], folder) -> list[tuple[float, float, list[str]]]:
     """Width and height of each page, mm, and its words."""
-    (folder / "note.pdf").write_bytes(compile_pdf(files))
+    (folder / "note.pdf").write_bytes(compiled(files)["note.pdf"])
     said = subprocess.run(
         [program("pdftotext"), "-bbox", str(folder / "note.pdf"), "-"],
         capture_output=True,

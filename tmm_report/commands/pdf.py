@@ -22,13 +22,10 @@ class TexFailed(Exception):
     """pdflatex stopped; the text is the end of its log."""
 
 
-def compile_pdf(files: Mapping[str, bytes]) -> bytes:
-    """The PDF of the files of `render(..., "tex")`; raises as `compiled` does."""
-    return compiled(files)["note.pdf"]
-
-
 def compiled(files: Mapping[str, bytes]) -> dict[str, bytes]:
-    """note.pdf and note.log, which says what did not fit. Raises NoTex, TexFailed, or OSError where there is no place.
+    """note.pdf of the files of `render(..., "tex")`, and note.log, which says what did not fit.
+
+    Raises NoTex, TexFailed, or OSError where there is no place.
 
     A student's text is escaped already; still pdflatex runs in an empty folder, may neither read nor write outside
     it, has no shell, and is stopped with all its children when its time is up.
