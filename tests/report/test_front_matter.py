@@ -20,7 +20,7 @@ from tmm_report.report import _conclusions
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Cell, Column, numeric, worded
+from tmm_report.report.paper.layout import Cell, Column, joined, numeric, worded
 from tmm_report.report.part import Failed, Part
 from tmm_report.report.symbol_list import SymbolList
 
@@ -150,6 +150,16 @@ def test_noughts_are_told_below_the_table():
     table = numeric("rates", Column("k", ["0", "1"]), columns)
     assert (list(table.parts[0].head), table.nought) == (["k", "a, m/s²", "n"], ["v"])
     assert not numeric("rates", Column("k", ["0", "1"]), columns[:1]).nought
+
+
+def test_noughts_are_told_of_joined_rows_too():
+    columns = [Column("v, m/s", ["0"] * 4, "v"), Column("a, m/s²", ["1", "1", "1", "2"], "a")]
+    table = numeric("rates", *joined(Column("k", ["0", "1", "2", "3"]), columns))
+    assert (list(table.parts[0].head), column_of(table, 0), table.nought) == (
+        ["k", "a, m/s²"],
+        ["0–2", "3"],
+        ["v"],
+    )
 
 
 def test_no_digit_is_added_that_was_not_computed():

@@ -243,7 +243,7 @@ def joined(first: Column, columns: Sequence[Column]) -> tuple[Column, list[Colum
         for run in blocks
     ]
     kept = [run[0] for run in blocks]
-    return Column(first.head, names), [Column(one.head, [one.cells[k] for k in kept]) for one in columns]
+    return first._replace(cells=names), [one._replace(cells=[one.cells[k] for k in kept]) for one in columns]
 
 
 def _blocks(widths: Sequence[float], room: float) -> list[range]:
