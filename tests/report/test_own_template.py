@@ -79,6 +79,17 @@ def test_a_block_of_a_chapter_may_be_left_out_and_the_rest_refers_to_nothing_tha
     assert set(re.findall(r'href="#([^"]+)"', text)) <= set(re.findall(r' id="([^"]+)"', text))
 
 
+@pytest.mark.parametrize("fmt", ["html", "tex"])
+def test_figures_that_wait_stand_before_a_block_without_a_heading(fmt):
+    text = note(block("{{ m.p('Выводов нет.') }}", "conclusions"), fmt, "crank_rocker")[
+        f"note.{fmt}"
+    ].decode()
+    figure = {"html": "<figure ", "tex": r"\\begin\{Note(?:Figure|InRow)\}"}[fmt]
+    before, _, behind = text.partition("Выводов нет.")
+    assert re.search(figure, before)
+    assert not re.search(figure, re.split(r'<h1 class="appendix"|\\NoteAppendix\{', behind)[0])
+
+
 def test_what_stands_in_a_template_is_text():
     text = html(block("<b>x</b> & <script>alert(1)</script> {{ '<i>' }} {{ m.p('</p><u>') }}"))
     assert (

@@ -74,7 +74,8 @@ def _written(
         def ours() -> Markup:
             return Markup(template(f"chapters/{name}.j2").render(given, **more))
 
-        return own.written(name, given, ours) if own and own.states(name) else ours()
+        # a block of a department may be without a heading of ours, before which figures that wait stand
+        return page.form.due() + own.written(name, given, ours) if own and own.states(name) else ours()
 
     body = [chapter(part.template, view=part.view) for part in parts]
     left_out, concluded = list(map(page.message, undone)), _conclusions(parts)
