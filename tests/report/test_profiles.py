@@ -22,6 +22,7 @@ from tmm_report.languages import LANGUAGES
 from tmm_report.loading import loads
 from tmm_report.problems import ProblemError
 from tmm_report.profiles import NAMES, data, merged, shipped, stated
+from tmm_report.report.paper.punctuation import joined
 from tmm_report.report.paper.sheets import USUAL, Paper
 
 NAME = "crank_rocker"
@@ -160,6 +161,11 @@ def test_there_is_one_dash_between_words(name):
     body = note(name, "tex")["note.tex"].decode().partition("\\begin{document}")[2]
     other = {"—": r"(--|–)", "–": r"(---|—)"}[PROFILES[name].dash_sign]
     assert not re.search(rf"[^&\s]\s{other}\s[^&\\\s]", body)
+
+
+def test_signs_of_a_word_stand_as_they_are_written():
+    text = "\\end{NoteTable}\n\n\\NoteWhere где $a$"
+    assert joined(text, "tex", "где", "$\\varepsilon$", "—") == text.replace("где", "$\\varepsilon$")
 
 
 # --- on paper

@@ -42,19 +42,17 @@ class LettersModel(Model):
     gap: Gap | None = Field(default=None, description="between paragraphs")
 
 
-class HeadingModel(Model):
-    """How a heading stands."""
-
-    align: Align | None = None
-    capitals: Flag | None = None
-    new_page: Flag | None = None
-
-
 class SubheadingModel(Model):
     """How the heading of a subsection stands."""
 
     align: Align | None = None
     capitals: Flag | None = None
+
+
+class HeadingModel(SubheadingModel):
+    """How a heading stands."""
+
+    new_page: Flag | None = None
 
 
 class HeadingsModel(Model):
@@ -201,7 +199,7 @@ def mistakes(read: Read) -> Iterator[Problem]:
             code=shown(made.language),
         )
     for left, least in zip(made.margins.left_of_a4, LEAST, strict=True):
-        if left < least and stated.margins is not None:
+        if left < least:
             text = N_("the margins leave %(left)s mm of the page for the text")
             right = Message(N_("at least %(least)s mm must be left"), {"least": f"{least:g}"})
             yield mistake(text, ("profile", "margins"), right, left=f"{left:g}")

@@ -34,7 +34,7 @@ def joined(text: str, fmt: str, where: str, here: str, dash: str) -> str:
     `where`, `here`: the words."""
     for pattern, put in _RULES.get(fmt, ()):
         pattern = pattern.replace("WHERE", re.escape(where))
-        text = re.sub(pattern, put.replace("HERE", here), text, flags=re.M)
+        text = re.sub(pattern, put.replace("HERE", here.replace("\\", r"\\")), text, flags=re.M)
     return _dashed(text, fmt, dash)
 
 
