@@ -93,7 +93,8 @@ def test_the_english_note_of_a_ready_variant_is_english(name):
     ("language", "topic", "line"), [("ru", "Насос", "Факультет"), ("en", "Pump", "Faculty")]
 )
 def test_results_name_the_title_in_the_language_of_their_meanings(tmp_path, language, topic, line):
-    lines = "\n  lines: [{ru: Факультет, en: Faculty}]"
+    lines = "\n  lines: [{ru: Факультет, en: Faculty}]\n  signed: [{role: {ru: Факультет, en: Faculty}}]"
     file = written(tmp_path, "{ru: Насос, en: Pump}" + lines, "force")
     title = json.loads(render(solve(load(file)), "json", language)["results.json"])["title"]
     assert (title["topic"], title["lines"]) == (topic, [line])
+    assert title["signed"] == [{"role": line, "name": ""}]
