@@ -3,7 +3,7 @@ in a table."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields, replace
 
 from tmm_report.i18n import Translator
@@ -30,28 +30,20 @@ class Definition:
         return form.formula([form.symbol(Var(self.result, 0.0).sign) + form.operator("=") + first, *rest])
 
 
-class _Bare(dict[Symbol, Symbol]):
-    """Letters without their indices."""
-
-    def __missing__(self, sign: Symbol) -> Symbol:
-        return Symbol(sign.base)
-
-
 def in_letters(formula: Formula, called: Mapping[Symbol, Symbol]) -> Definition:
     """`called`: what its letters are called here, d_4 is d_i."""
-    sign = Var(formula.result, 0.0).sign
-    return Definition(_name(sign, called), renamed(formula.expression, called))
+    return _as_called(formula, lambda sign: called.get(sign, sign))
 
 
-def _name(sign: Symbol, called: Mapping[Symbol, Symbol]) -> Symbol:
-    return called[sign] if sign in called or isinstance(called, _Bare) else sign
+def _as_called(formula: Formula, name: Callable[[Symbol], Symbol]) -> Definition:
+    return Definition(name(Var(formula.result, 0.0).sign), _renamed(formula.expression, name))
 
 
-def renamed(expression: Expr, called: Mapping[Symbol, Symbol]) -> Expr:
+def _renamed(expression: Expr, name: Callable[[Symbol], Symbol]) -> Expr:
     if isinstance(expression, Var):
-        return replace(expression, symbol=_name(expression.sign, called))
+        return replace(expression, symbol=name(expression.sign))
     inner = {
-        field.name: renamed(part, called)
+        field.name: _renamed(part, name)
         for field in fields(expression)
         if isinstance(part := getattr(expression, field.name), Expr)
     }
@@ -71,7 +63,7 @@ def parted(formulas: Iterable[Formula], tr: Translator) -> tuple[list[Formula], 
     first: dict[str, Formula] = {}
     others = []
     for formula in formulas:
-        shape = in_letters(formula, _Bare()).mathml(tr)
+        shape = _as_called(formula, lambda sign: Symbol(sign.base)).mathml(tr)
         if shape in first or isinstance(formula.expression, Var):
             others.append(formula)
         else:

@@ -11,6 +11,7 @@ from typing import Any
 from markupsafe import Markup
 
 from tmm_report.figures.charts.graphs import Graph
+from tmm_report.quantity.definition import parted
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Book, Column, Table, Value
 from tmm_report.quantity.sheet import Sheet
@@ -176,3 +177,7 @@ class ChapterView(BookView):
     def formulas(self, *keys: str) -> list[Formula]:
         """Those of the numbers that this variant computes by one."""
         return [self.formula(key) for key in keys if self.s.has_formula(key)]
+
+    def of_each_kind(self, formulas: Iterable[Formula]) -> list[Formula]:
+        """All of them, or the first of each kind; tables have the numbers of the others."""
+        return [*formulas] if self.page.note.every else parted(formulas, self.page.tr)[0]

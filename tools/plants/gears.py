@@ -159,9 +159,9 @@ FAULTS += (
     ),
     Fault(
         "planetary: the reasons without the first",
-        "tmm_report/chapters/gears/planetary/view/tables.py",
-        'return self.page.listed(said, "; ")',
-        'return self.page.listed(said[1:], "; ")',
+        "tmm_report/chapters/gears/rejected.py",
+        'return page.listed(said, "; ")',
+        'return page.listed(said[1:], "; ")',
         "compressor",
         ("tests/chapters/gears/test_planetary_stage.py",),
     ),

@@ -129,6 +129,7 @@ PIECES: dict[str, Piece] = {
     "spur.inspection": Piece(N_("sizes by which the teeth are measured"), course="appendix"),
     "spur.formulas": Piece(N_("formulas of the dimensions of the wheels of a pair")),
     "spur.worked": Piece(N_("dimensions of the wheels of a pair, worked out in numbers"), course="omit"),
+    "spur.conditions": Piece(N_("conditions of a pair with what is in hand, where all are met")),
     "spur.sliding": Piece(N_("graph of the specific sliding along the line of action"), course="appendix"),
     "spur.details": Piece(N_("least shift, shift of the centres and time of two-pair contact of a pair")),
     "spur.points": Piece(N_("specific sliding at the points of the line of action"), course="appendix"),
@@ -161,9 +162,10 @@ PIECES: dict[str, Piece] = {
         N_("solutions for the teeth of a stage beyond the best few"), course="appendix"
     ),
     "planetary.ring": Piece(N_("interference with a ring in numbers of teeth"), course="omit"),
+    "planetary.conditions": Piece(N_("conditions of a planetary stage with what is in hand")),
     "planetary.front": Piece(N_("a planetary stage drawn from the front"), course="appendix"),
     "planetary.motions": Piece(
-        N_("motions of a planetary stage with each of its members held, and the load of a satellite"),
+        N_("motions of a planetary stage with each of its members held, and the load of a planet gear"),
         course="appendix",
     ),
 }

@@ -13,7 +13,7 @@ from tmm_report.chapters.gears.eccentric.quantities import tables
 from tmm_report.chapters.gears.eccentric.solve.mechanism import Found
 from tmm_report.chapters.gears.eccentric.steps import Path, steps
 from tmm_report.figures.drawing import Drawing
-from tmm_report.quantity.definition import Definition, parted
+from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
@@ -88,19 +88,15 @@ class FurtherView(ChapterView):
             return [rows[0].formula(key) for key in ("F_t", "F_n")]
         each = [row.formula("w") for row in rows]
         forces = [row.formula("F_t") for row in rows]
-        kinds = self.kinds(each), self.formulas("share_sum"), self.kinds(forces), [rows[0].formula("F_n")]
-        return [one for formulas in kinds for one in formulas]
-
-    def kinds(self, formulas: list[Formula]) -> list[Formula]:
-        """The first of each kind; the tables have the numbers of the others."""
-        return [*formulas] if self.page.note.every else parted(formulas, self.page.tr)[0]
+        shared, normal = self.formulas("share_sum"), rows[0].formula("F_n")
+        return [*self.of_each_kind(each), *shared, *self.of_each_kind(forces), normal]
 
     def of_first(self, *keys: str) -> list[Formula]:
         """Of the first satellite: what the letters of all are."""
         return [self.made.loads[0].formula(key) for key in keys if self.made.loads[0].has_formula(key)]
 
     def on_axes(self) -> list[Formula]:
-        return self.kinds([row.formula("Q") for row in self.made.loads])
+        return self.of_each_kind(row.formula("Q") for row in self.made.loads)
 
     def loads(self, caption: Any) -> Table:
         table = self.table("loads")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from functools import cached_property
 from typing import Literal
 
@@ -17,7 +17,7 @@ from tmm_report.chapters.gears.eccentric.view.further import FurtherView
 from tmm_report.chapters.gears.eccentric.view.tables import CONDITIONS, EccentricTables
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
-from tmm_report.quantity.definition import Definition, parted
+from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.written import Equation
 from tmm_report.report.page import Page
@@ -82,11 +82,7 @@ class EccentricView(EccentricTables):
     def of_satellites(self, *keys: str) -> list[Formula]:
         """Of each that mirrors no other; angles of those alone that are off the axis."""
         rows = [self.made.row(s) for s in self.found.upper]
-        return self._kinds(row.formula(key) for row in rows for key in keys if row.has_formula(key))
-
-    def _kinds(self, formulas: Iterable[Formula]) -> list[Formula]:
-        """The first of each kind; the tables have the numbers of the others."""
-        return [*formulas] if self.page.note.every else parted(formulas, self.page.tr)[0]
+        return self.of_each_kind(row.formula(key) for row in rows for key in keys if row.has_formula(key))
 
     def ring_limit(self) -> Formula:
         """Least teeth of the ring beside the satellite that asks for most of them."""
@@ -94,7 +90,7 @@ class EccentricView(EccentricTables):
 
     def beside(self) -> list[Formula]:
         """Distance and gap of neighbours."""
-        return self._kinds(pair.formula(key) for pair in self.made.pairs for key in ("l", "gap"))
+        return self.of_each_kind(pair.formula(key) for pair in self.made.pairs for key in ("l", "gap"))
 
     @property
     def hardest(self) -> Satellite:

@@ -59,9 +59,8 @@ def _driven(found: Found, title: str, pen: Pen) -> Drawing:
 def _strands(one: float, two: float, far: float, crossed: bool, pen: Pen) -> list[Item]:
     """Both strands and the arcs about the pulleys; thin radii to the points where a belt leaves."""
     theta = math.asin(((one + two) if crossed else (two - one)) / far)
-    start = (
-        math.pi / 2 - theta if crossed else math.pi / 2 + theta
-    )  # where the upper strand leaves the driving pulley
+    # where the upper strand leaves the driving pulley
+    start = math.pi / 2 - theta if crossed else math.pi / 2 + theta
     items: list[Item] = []
     for side in (1, -1):
         leave = cmath.rect(1, side * start)

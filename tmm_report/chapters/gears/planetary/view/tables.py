@@ -16,9 +16,9 @@ from tmm_report.chapters.gears.planetary.solve.stage import Found, Motion
 from tmm_report.chapters.gears.planetary.steps import stage
 from tmm_report.chapters.gears.planetary.values import Values
 from tmm_report.chapters.gears.planetary.view.schemes import SchemesView
+from tmm_report.chapters.gears.rejected import rejected
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.gears.pair_sizes import ring_rule
-from tmm_report.mechanics.gears.planetary.search import Reason
 from tmm_report.mechanics.gears.planetary.stage import MEMBERS, ROWS
 from tmm_report.problems import N_
 from tmm_report.quantity import model as quantity
@@ -26,7 +26,7 @@ from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.terms.wheel_words import DIAMETERS
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Cell, Table, Words, padded, worded
+from tmm_report.report.paper.layout import Cell, Table, padded, worded
 
 BEST, SHOWN = 3, 10  # solutions in the text and in all, besides the chosen one
 PLACES = {
@@ -69,20 +69,7 @@ class PlanetaryTables(ChapterView):
 
     def reasons(self) -> Markup:
         """How many candidates were rejected, by the first condition that fails."""
-        table = self.table("rejected")
-        said = []
-        for row, name in enumerate(table["reason"].values):
-            reason = self.page.tr.gettext(REASONS[Reason[name.upper()]])
-            cells = Cell(reason, table.ref("reason", row)), self._count(table, "combinations", row)
-            said.append(
-                self.t(
-                    "%(reason)s (%(count)s)", reason=self.page.said(cells[0]), count=self.page.said(cells[1])
-                )
-            )
-        return self.page.listed(said, "; ")
-
-    def _word(self, message: str, table: quantity.Table, key: str, row: int) -> Cell | Words:
-        return self.page.word(self.page.tr.gettext(message), table, key, row)
+        return rejected(self.page, self.table("rejected"), "combinations", REASONS)
 
     def _count(self, table: quantity.Table, key: str, row: int) -> Cell:
         """A whole number of a table, with all its digits."""
@@ -265,7 +252,7 @@ class PlanetaryTables(ChapterView):
 
     def _motion(self, motion: Motion, row: int, keys: tuple[str, ...]) -> list[Any]:
         table, page = self.table("motions"), self.page
-        locks = self._word(N_("locks"), table, "eta", row)
+        locks = page.word(page.tr.gettext(N_("locks")), table, "eta", row)
         return [
             *(page.word(table[key].values[row], table, key, row) for key in ("held", "input")),
             *(page.cell(table, key, row, digits=4) for key in (*keys, "u")),

@@ -31,7 +31,7 @@ from tmm_report.chapters.gears.spur.words import (
 )
 from tmm_report.mechanics.gears.limits.condition import Condition
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.definition import Definition, in_letters, of_all, parted
+from tmm_report.quantity.definition import Definition, in_letters, of_all
 from tmm_report.quantity.formula import Formula, Inline
 from tmm_report.quantity.model import Column, Value
 from tmm_report.quantity.symbols import Symbol, math_symbol
@@ -78,8 +78,7 @@ class SpurView(ChapterView):
 
     def worked(self) -> list[Formula]:
         """Those of `letters` in numbers: of both wheels, or the first of each kind."""
-        every = self.of_both(*OF_BOTH)
-        return every if self.page.note.whole else parted(every, self.page.tr)[0]
+        return self.of_each_kind(self.of_both(*OF_BOTH))
 
     def of_both(self, *keys: str) -> list[Formula]:
         return [formula for key in keys for i in (0, 1) for formula in self.of_wheel(i, key)]
@@ -167,10 +166,8 @@ class SpurView(ChapterView):
         """What a row is, with its unit."""
         column = self.sizes[key]
         self.page.symbols.add(self._indexed(key, "i"), column.meaning, column.quantity.shown)
-        unit = column.quantity.printed
-        return self.page.listed(
-            [self.page.message(column.meaning), *([self.page.unit(unit)] if unit else [])]
-        )
+        unit = self.page.unit(column.quantity.printed)
+        return self.page.listed([self.page.message(column.meaning), *([unit] if unit else [])])
 
     def letters(self) -> list[Definition]:
         """The formulas of the numbers of wheel i, k being the other; of unlike wheels those of each."""

@@ -8,6 +8,7 @@ from typing import Any
 from markupsafe import Markup
 
 from tmm_report.chapters.gears.power_flow import power_flow
+from tmm_report.chapters.gears.rejected import rejected
 from tmm_report.chapters.gears.train.given import LOADS
 from tmm_report.chapters.gears.train.quantities import tables
 from tmm_report.chapters.gears.train.solve.train import Found
@@ -67,14 +68,7 @@ class TrainTables(ChapterView):
 
     def reasons(self) -> Markup:
         """How many sets of teeth fail by each condition."""
-        table, said = self.table("rejected"), []
-        for row, name in enumerate(table["reason"].values):
-            count = Cell(str(int(table["count"].values[row])), table.ref("count", row))
-            reason = Cell(self.page.tr.gettext(REASONS[Reason[name.upper()]]), table.ref("reason", row))
-            said.append(
-                self.t("%(reason)s (%(count)s)", reason=self.page.said(reason), count=self.page.said(count))
-            )
-        return self.page.listed(said, "; ")
+        return rejected(self.page, self.table("rejected"), "count", REASONS)
 
     @property
     def best(self) -> range:
