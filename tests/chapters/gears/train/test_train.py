@@ -312,7 +312,7 @@ SLIPS = [
     ({"carriers": {"H": "2", "C": "2"}}, "carried by two carriers"),
     ({"carriers": {"H": "H"}}, "cannot carry another carrier"),
     ({"carriers": {"1": "2"}}, "1 is a wheel and a carrier"),
-    ({"input": "2"}, "satellite 2 goes round"),
+    ({"input": "2"}, "planet gear 2 goes round"),
     ({"input": []}, "names no members"),
     ({"fixed": None}, "2 degrees of freedom, and 1 speeds"),
     ({"fixed": "1"}, "member 1 is held and turns"),
@@ -323,8 +323,8 @@ SLIPS = [
     ({"locking": 2}, "two outputs, and this one has 1"),
     ({"efficiency": {"meshes": {"3-4": 0.9}}}, "no mesh 3-4"),
     ({"efficiency": {"external": 1.2}}, "out of range"),
-    ({"satellites": 0}, "no number of satellites"),
-    ({"output": ["H", "2"]}, "satellite 2 goes round"),
+    ({"satellites": 0}, "no number of planet gears"),
+    ({"output": ["H", "2"]}, "planet gear 2 goes round"),
     ({"cases": [{"1": "900 rpm", "3": "5 rpm", "H": "7 rpm"}]}, "contradict"),
     ({"cases": [{"7": "900 rpm"}]}, "no member 7"),
     ({"speed": "0 rpm", "power": "2 kW"}, "stands still and has no power"),
@@ -359,6 +359,12 @@ def test_a_mistake_is_told_with_its_cure(change, said):
 def test_nothing_is_stated_beside_a_road_that_the_road_says(change, said):
     with pytest.raises(ProblemError, match=said):
         found(AXLE, **change)
+
+
+def test_no_speed_is_stated_of_what_turns_as_one_with_a_member_of_known_speed():
+    """a' is on the shaft of the driving wheel a."""
+    with pytest.raises(ProblemError, match="speed of member a' is stated twice, by speeds and by speed"):
+        found(THREE_SETS, speed="900 rpm", speeds={"a'": "700 rpm"})
 
 
 def test_too_many_combinations_are_refused_before_any_is_tried():

@@ -5,7 +5,18 @@ import math
 import pytest
 from note import read
 from notes import render
-from test_train import AXLE, CLOSED, ONE_CROWN, PLAIN, RING_DRIVES, SUNS, TWO_INPUTS, found, results
+from test_train import (
+    AXLE,
+    CLOSED,
+    ONE_CROWN,
+    PLAIN,
+    RING_DRIVES,
+    SUNS,
+    THREE_SETS,
+    TWO_INPUTS,
+    found,
+    results,
+)
 
 from tmm_report.chapters.gears.train.draw.diagrams import _angular, _Linear
 from tmm_report.chapters.gears.train.draw.scheme import Scheme
@@ -46,6 +57,23 @@ def test_distances_stand_beside_their_meshes():
     assert made["mesh"].values[place] == "a-g" and made["a"].values[place] == pytest.approx(0.031)
     assert made["a_other"].values[place] == pytest.approx(0.033)
     assert made["gap"].values[place] == pytest.approx(2)
+
+
+@pytest.mark.parametrize(
+    ("stated", "said"),
+    [
+        ({}, "No module is stated: the distances are those of a module of 1 mm."),
+        (
+            {"modules": {"a": "3 mm", "p": "3 mm", "b": "3 mm"}},
+            "The module of wheels a′, b′, c, f, q, r is not stated",
+        ),
+        ({"module": "2 mm"}, None),
+    ],
+    ids=["none", "of one set", "of all"],
+)
+def test_the_note_says_which_modules_are_not_stated(stated, said):
+    text = next(line for line in note(THREE_SETS, **stated).words if "The distances are compared" in line)
+    assert (said in text.replace("'", "′")) if said else "odule" not in text
 
 
 def test_the_heads_of_speeds_and_powers_are_of_what_stands_below():

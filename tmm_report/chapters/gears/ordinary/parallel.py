@@ -16,12 +16,12 @@ from tmm_report.records import dataclass
 if TYPE_CHECKING:
     from pydantic import Field, Tag
 
+    from tmm_report.variant.language import CalledBy
     from tmm_report.variant.values import (
         LIST,
         SCALAR,
         Coefficient,
         Efficiency,
-        Label,
         LinearMass,
         Module,
         Reads,
@@ -54,7 +54,7 @@ class Ordinary:
     SENSE: ClassVar[int] = 1  # of the driven shaft, the driving one turning in the sense +1
 
     name: Annotated[
-        Label | None, Field(description="in the headings; left out, the numbers of the wheels")
+        CalledBy | None, Field(description="in the headings; left out, the numbers of the wheels")
     ] = field(default=None, kw_only=True)
     wheels: tuple[str, ...] = field(default=("1", "2"), kw_only=True)  # their names in the drive
     label: str = field(default="stage1", kw_only=True)  # with which its names in the results begin

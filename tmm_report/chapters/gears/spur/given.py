@@ -18,13 +18,13 @@ from tmm_report.records import dataclass
 if TYPE_CHECKING:
     from pydantic import Field, Tag
 
+    from tmm_report.variant.language import CalledBy
     from tmm_report.variant.values import (
         LIST,
         SCALAR,
         Efficiency,
         Flag,
         Helix,
-        Label,
         Module,
         Pin,
         Reads,
@@ -247,7 +247,7 @@ class Spur:
 
     kind: Literal["spur"] = field(default="spur", kw_only=True)
     name: Annotated[
-        Label | None, Field(description="in the headings; left out, the numbers of the wheels")
+        CalledBy | None, Field(description="in the headings; left out, the numbers of the wheels")
     ] = field(default=None, kw_only=True)
     ratio: Annotated[
         float, Reads(of_pair, SIGN), Field(description="left out, it is that of the teeth", examples=[-2])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tmm_report.chapters.gears.spur.solve.pair import Found
 from tmm_report.problems import N_
 from tmm_report.quantity.sheet import Q, Row, Sheet
-from tmm_report.quantity.symbols import Symbol, math_symbol, segment
+from tmm_report.quantity.symbols import Symbol, both, math_symbol, segment
 from tmm_report.quantity.terms.gear_terms import HA, C
 from tmm_report.quantity.terms.wheel_words import DIAMETERS, OWN_SYMBOLS, TEETH
 
@@ -286,7 +286,7 @@ class Points(Sheet):
 def letters(found: Found) -> dict[str, Q]:
     """What this pair calls otherwise: by the names of its wheels, as an internal or a helical one."""
     one, two = found.given.wheels
-    ratio, kind = Symbol("u", one + two), "d" if found.given.internal else "Sigma"
+    ratio, kind = Symbol("u", both(one, two)), "d" if found.given.internal else "Sigma"
     smaller, larger = (found.given.wheels[i] for i in (found.teeth.small, 1 - found.teeth.small))
     called = {
         "ratio": ratio, "u_required": ratio, "x_sum": Symbol("x", kind), "x_needed": Symbol("x", kind),

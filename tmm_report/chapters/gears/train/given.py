@@ -111,7 +111,7 @@ def counts(value: Any) -> tuple[int, ...]:
     found = [units.parse(one, "number") for one in several]
     if 0 < len(found) <= 12 and all(one == int(one) and 1 <= one <= 12 for one in found):
         return tuple(sorted({int(one) for one in found}))
-    wrong = Message(N_("%(value)s is no number of satellites: from 1 to 12"), {"value": shown(str(value))})
+    wrong = Message(N_("%(value)s is no number of planet gears: from 1 to 12"), {"value": shown(str(value))})
     raise WrongValue(wrong, Message(N_("3, or [3, 4, 5] for the search")))
 
 
@@ -187,7 +187,7 @@ class Wanted:
 
 @dataclass(frozen=True, eq=False)
 class GearTrain:
-    """A gear train of any scheme: wheels, the meshes between them, carriers with their satellites."""
+    """A gear train of any scheme: wheels, the meshes between them, carriers with their planet gears."""
 
     name: Annotated[CalledBy | None, Field(description="in the heading")] = field(default=None, kw_only=True)
     wheels: Annotated[

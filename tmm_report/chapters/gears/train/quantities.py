@@ -98,7 +98,7 @@ def _conditions(found: Found, of: Numbers) -> Iterator[Table]:
         yield Table("train_assembly", ASSEMBLY, (row, *columns(of.assembly)))
     if of.neighbours:
         crowns = [", ".join(one.crowd.crowns) for one in found.conditions.neighbours]
-        name = text_column("satellite", Message(N_("satellites")), crowns)
+        name = text_column("satellite", Message(N_("planet gears")), crowns)
         yield Table("train_neighbours", NEIGHBOURS, (name, *columns(of.neighbours)))
 
 

@@ -25,10 +25,10 @@ DISTANCE = N_(
     "Half the module times the sum of the teeth, of an internal mesh their difference; without shift."
 )
 ASSEMBLY = N_(
-    "Teeth of the driven and driving wheels along the row, by the satellites and what a pitch is worth."
+    "Teeth of the driven and driving wheels along the row, by the planet gears and what a pitch is worth."
 )
 NEIGHBOURS = N_(
-    "The chord between the axes of neighbouring satellites less the tip diameter of their largest crown."
+    "The chord between the axes of neighbouring planet gears less the tip diameter of their largest crown."
 )
 SEARCH = N_(
     "Every set in the ranges is looked at; coaxiality fixes some wheels, the conditions judge the rest."
@@ -36,7 +36,7 @@ SEARCH = N_(
 TEETH = N_("Stated, or of the set of teeth that is taken.")
 NUMBERS = N_("Stated, or one of the numbers from 2 to 6, which are all looked at.")
 TEETH_FORCE = N_(
-    "Twice the torque on the first wheel by its module and teeth, and by the satellites that share it."
+    "Twice the torque on the first wheel by its module and teeth, and by the planet gears that share it."
 )
 SCALE = N_("Chosen so that the drawing fits the paper, from the usual scales.")
 FREEDOM = N_("The members that turn on their own less the independent equations of the meshes.")

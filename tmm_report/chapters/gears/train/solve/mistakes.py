@@ -67,7 +67,7 @@ def _carriers(given: GearTrain) -> Iterator[Problem]:
                 right = Message(N_("the wheels whose axes it carries"))
                 yield mistake(wrong, (HERE, "carriers", carrier), right, carrier=carrier)
             elif seen.setdefault(wheel, carrier) != carrier:
-                right = Message(N_("one carrier for each satellite"))
+                right = Message(N_("one carrier for each planet gear"))
                 yield mistake(
                     N_("wheel %(wheel)s is carried by two carriers"),
                     (HERE, "carriers", carrier),
@@ -78,14 +78,14 @@ def _carriers(given: GearTrain) -> Iterator[Problem]:
     for name in (*given.input, *given.output, *given.fixed):
         if name in of:
             wrong = N_(
-                "satellite %(name)s goes round with its carrier: it is neither driven, taken from nor held"
+                "planet gear %(name)s goes round with its carrier: it is neither driven, taken from nor held"
             )
             yield mistake(wrong, (HERE,), Message(N_("a wheel on the main axis, or a carrier")), name=name)
     for group in given.joined:
         if len({of.get(name, "") for name in group}) > 1:
             right = Message(N_("wheels on one carrier, or none of them"))
             yield mistake(
-                N_("a satellite is joined to what its carrier does not carry"), (HERE, "joined"), right
+                N_("a planet gear is joined to what its carrier does not carry"), (HERE, "joined"), right
             )
 
 
@@ -100,8 +100,8 @@ def _meshes(given: GearTrain) -> Iterator[Problem]:
             right = Message(N_("two wheels that turn on their own"))
             yield mistake(N_("the wheels %(mesh)s turn as one"), path, right, mesh=pair.name)
         elif of.get(pair.i) and of.get(pair.j) and of[pair.i] != of[pair.j]:
-            right = Message(N_("satellites of one carrier, or a satellite and a central wheel"))
-            yield mistake(N_("the satellites %(mesh)s have two carriers"), path, right, mesh=pair.name)
+            right = Message(N_("planet gears of one carrier, or a planet gear and a central wheel"))
+            yield mistake(N_("the planet gears %(mesh)s have two carriers"), path, right, mesh=pair.name)
         elif pair.kind == "internal" and _not_larger(given, pair):
             wrong = N_("the ring %(ring)s has no more teeth than wheel %(wheel)s inside it")
             right = Message(N_("the ring second, with more teeth"))
@@ -117,20 +117,16 @@ def _meshes(given: GearTrain) -> Iterator[Problem]:
 def _modules(given: GearTrain) -> Iterator[Problem]:
     """Wheels in mesh of two modules, or one of them without."""
     for pair in given.meshes:
-        ends = pair[:2]
-        named = next((name for name in ends if name in given.modules), None)
-        if named is None:
+        named = [name for name in pair[:2] if name in given.modules]
+        if not named:
             continue
-        path: Path = (HERE, "modules", named)
-        one, other = (given.modules.get(name, given.module) for name in ends)
+        path: Path = (HERE, "modules", named[0])
+        one, other = (given.modules.get(name, given.module) for name in pair[:2])
         if one is None or other is None:
-            wrong, mate = (
-                N_("wheel %(wheel)s has a module, and its mate %(mate)s has none"),
-                ends[ends[0] == named],
-            )
-            yield mistake(
-                wrong, path, Message(N_("modules of both, or module of all")), wheel=named, mate=mate
-            )
+            wrong = N_("wheel %(wheel)s has a module, and its mate %(mate)s has none")
+            right = Message(N_("modules of both, or module of all"))
+            mate = pair.j if named[0] == pair.i else pair.i
+            yield mistake(wrong, path, right, wheel=named[0], mate=mate)
         elif not math.isclose(one, other, rel_tol=1e-9):
             wrong = N_("the wheels of the mesh %(mesh)s have modules of %(one)s and %(other)s mm")
             values = {"mesh": pair.name, "one": f"{1e3 * one:.4g}", "other": f"{1e3 * other:.4g}"}
@@ -175,17 +171,20 @@ def _roads(given: GearTrain) -> Iterator[Problem]:
 
 
 def _twice(given: GearTrain) -> Iterator[Problem]:
-    """Speeds of one member in two places, of which one would be passed over."""
+    """Speeds of one member, or of two that turn as one, in two places, of which one would be passed over."""
+    of = shafts(given)
     elsewhere = dict.fromkeys(given.fixed, "fixed")
     if given.road is not None:
         elsewhere |= dict.fromkeys(given.output, "road")
     if given.speed is not None:
         elsewhere |= dict.fromkeys(given.input[:1], "speed")
+    elsewhere = {of.get(name, name): key for name, key in elsewhere.items()}
     for name in given.speeds:
-        if name in elsewhere:
+        shaft = of.get(name, name)
+        if shaft in elsewhere:
             wrong = N_("the speed of member %(name)s is stated twice, by speeds and by %(key)s")
             right = Message(N_("leave out one of the two"))
-            yield mistake(wrong, (HERE, "speeds", name), right, name=name, key=elsewhere[name])
+            yield mistake(wrong, (HERE, "speeds", name), right, name=name, key=elsewhere[shaft])
 
 
 def _speeds(given: GearTrain) -> Iterator[Problem]:
@@ -217,8 +216,8 @@ def _speeds(given: GearTrain) -> Iterator[Problem]:
             )
             yield mistake(wrong, (HERE, "output"), right, count=len(outer), needed=freedom + 1)
         elif given.locking is not None and not _joins_outputs(given):
-            right = Message(N_("outputs of one differential: both mesh with satellites of one carrier"))
-            yield mistake(N_("no satellites join the two outputs"), (HERE, "locking"), right)
+            right = Message(N_("outputs of one differential: both mesh with planet gears of one carrier"))
+            yield mistake(N_("no planet gears join the two outputs"), (HERE, "locking"), right)
 
 
 def _joins_outputs(given: GearTrain) -> bool:

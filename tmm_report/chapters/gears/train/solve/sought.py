@@ -81,6 +81,6 @@ def find(given: GearTrain) -> Sought:
             "no teeth in the ranges give the ratio: of %(count)s sets %(ratio)s have it, none meets all conditions"
         )
         near = sum(n for reason, n in found.counts.items() if reason > Reason.RATIO)
-        right = Message(N_("wider ranges, a wider tolerance, other numbers of satellites or shifted: 1"))
+        right = Message(N_("wider ranges, a wider tolerance, other numbers of planet gears or shifted: 1"))
         raise ProblemError([mistake(wrong, ("train", "find"), right, count=found.examined, ratio=near)])
     return Sought(task, found)

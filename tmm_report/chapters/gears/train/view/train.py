@@ -114,9 +114,14 @@ class TrainView(TrainTables):
     def coaxial(self) -> bool:
         return all(one.met for one in self.found.conditions.coaxial)
 
-    @property
-    def module_stated(self) -> bool:
-        return self.found.given.module is not None or bool(self.found.given.modules)
+    def unsized(self) -> Markup | str:
+        """What is said of wheels whose module is not stated."""
+        given = self.found.given
+        wheels = [] if given.module is not None else [one for one in given.wheels if one not in given.modules]
+        if not given.modules and wheels:
+            return self.t("No module is stated: the distances are those of a module of 1 mm.")
+        text = N_("The module of wheels %(wheels)s is not stated, and is taken as 1 mm.")
+        return self.t(text, wheels=self.names(wheels)) if wheels else ""
 
     @property
     def possible(self) -> list[int]:
