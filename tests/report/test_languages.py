@@ -140,7 +140,7 @@ def begun(tmp_path, monkeypatch, tool):
             "no translation of 'Contents of the note:'",
         ),
         ('msgid "mm"\nmsgstr "мм"', 'msgid "mm"\nmsgstr ""', "no translation of the unit mm"),
-        ("сателлит", "спутник", "'satellite' is not called сателлит|"),
+        ("сателлит", "спутник", "'planet gear' is not called сателлит|"),
         ("баланс мощностей", "равенство мощностей", "'power balance' is not called"),
     ],
 )

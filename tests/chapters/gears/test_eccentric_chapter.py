@@ -151,7 +151,7 @@ def test_condition_margins_are_those_of_the_places():
         ({"ratio": Fraction(4, 5)}, "no room between sun and ring", "above 1"),
         ({"ratio": Fraction(3), "eccentricity": 0.017}, "no whole numbers of teeth", "16 mm or 18 mm"),
         ({"t": 40}, "no usable set at t = 40", "t from 2 to 18"),
-        ({"eccentricity": 0.4}, "at most 200 teeth holds two satellites", "ring_up_to"),
+        ({"eccentricity": 0.4}, "at most 200 teeth holds two planet gears", "ring_up_to"),
         ({"ratio": None, "teeth": (34, 60, 30)}, "cannot go round the sun", "[34, 60, 136]"),
         (
             {"ratio": None, "teeth": (34, 51, 136)},
@@ -171,7 +171,7 @@ def test_condition_margins_are_those_of_the_places():
         ({"backlash": 0.002}, "backlash", "up to 0.4 mm"),
         (
             {"eccentricity": 0.017, "satellites": ("middle",)},
-            "no satellite of this kind",
+            "no planet gear of this kind",
             "largest, smallest",
         ),
         ({"ratio": None, "eccentricity": None, "teeth": (6, 20, 36)}, "the ring cuts into", "[18, 50, 108]"),

@@ -115,14 +115,17 @@ def test_a_differential_has_two_inputs():
     [
         ({"ratio": 30}, "no teeth give the ratio 30 within 4 % with 3", "from 2.388 to 12.71, the nearest is"),
         ({"ratio": -3}, "no teeth give the ratio -3", "the nearest is"),
-        ({"satellites": 7}, "with 7 satellites", "for example, teeth [17, 37, 91] with 3 satellites do"),
+        ({"satellites": 7}, "with 7 planet gears", "for example, teeth [17, 37, 91] with 3 planet gears do"),
         ({"teeth": [21, 46, 112]}, "different centre distances, 167.5 mm and 165 mm", "coaxiality: shift makes up"),
         ({"teeth": [15, 46, 130]}, "different centre distances", "for example, teeth [17, 37, 91]"),
         ({"teeth": [20, 48, 116], "ratio": 6.1}, "the ratio 6.8, further than 4 % from 6.1", "for example"),
         ({"teeth": [15, 34, 83]}, "the wheel with 15 teeth is undercut", "at least 17 teeth"),
-        ({"teeth": [17, 19, 55], "ratio": 4.2}, "the satellite and of the ring interfere: [17, 19, 55]", "for example"),
-        ({"teeth": [20, 46, 112], "satellites": 4}, "4 satellites overlap by 6.6", "there is room for 3"),
-        ({"teeth": [21, 47, 115]}, "3 equally spaced satellites cannot be assembled", "2, 4, 8 satellites can"),
+        (
+            {"teeth": [17, 19, 55], "ratio": 4.2},
+            "the planet gear and of the ring interfere: [17, 19, 55]", "for example",
+        ),
+        ({"teeth": [20, 46, 112], "satellites": 4}, "4 planet gears overlap by 6.6", "there is room for 3"),
+        ({"teeth": [21, 47, 115]}, "3 equally spaced planet gears cannot be assembled", "2, 4, 8 planet gears can"),
     ],
 )  # fmt: skip
 def test_what_a_user_is_told(more, wrong, right):

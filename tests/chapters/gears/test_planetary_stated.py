@@ -103,7 +103,7 @@ def test_helical_teeth_are_counted_in_the_transverse_section():
 @pytest.mark.parametrize(
     ("block", "wrong"),
     [
-        ({"shift": [0.1, 0.2]}, "3 shift coefficients, not 2"),
+        ({"shift": [0.1, 0.2]}, "3 profile shift coefficients, not 2"),
         ({"teeth": None, "shift": [0.1, 0.2, 0.3]}, "their teeth are not"),
         ({"teeth": None, "scheme": "any", "input": "wheel1", "centre_distance": "166 mm"}, "of which scheme"),
         ({"ratio_weight": 2}, "out of range"),

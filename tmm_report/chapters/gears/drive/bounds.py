@@ -35,5 +35,5 @@ def check_listing(found: planetary.Found, stage: int) -> None:
         wrong = N_(
             "the list of all combinations of teeth would have %(count)s lines, and at most %(most)s are written"
         )
-        right = Message(N_("narrower external_teeth and ring_teeth, or fewer numbers of satellites"))
+        right = Message(N_("narrower external_teeth and ring_teeth, or fewer numbers of planet gears"))
         raise ProblemError([mistake(wrong, ("drive", "stages", stage), right, count=count, most=LISTED)])

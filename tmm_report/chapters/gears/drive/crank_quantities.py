@@ -22,10 +22,10 @@ def teeth_columns(found: Found) -> Iterator[Column]:
     yield text_column("mesh", Message(N_("wheels in mesh")), [f"{mesh.i}-{mesh.j}" for mesh in meshes])
     forces = list(_forces(found))
     for key, index, times in (("mean", MEAN, 1.0), ("greatest", GREATEST, abs(found.moments.peak))):
-        text = N_("circumferential force in the mesh, on one satellite where there are several")
+        text = N_("circumferential force in the mesh, on one planet gear where there are several")
         along = Quantity(f"F_t_{key}", Symbol("F", "t", index), "N", Message(text))
         yield along.column([times * force for force, _ in forces])
-        text = N_("radial force in the mesh, on one satellite where there are several")
+        text = N_("radial force in the mesh, on one planet gear where there are several")
         across = Quantity(f"F_r_{key}", Symbol("F", "r", index), "N", Message(text))
         yield across.column(
             [math.nan if angle is None else times * force * math.tan(angle) for force, angle in forces]

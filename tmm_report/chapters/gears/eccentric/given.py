@@ -98,7 +98,7 @@ class MeshLoad:
     ] = None
     axes: Annotated[
         Stiffness | None,
-        Field(description="stiffness of the axis of each satellite; left out, rigid", examples=["2e8 N/m"]),
+        Field(description="stiffness of the axis of each planet gear; left out, rigid", examples=["2e8 N/m"]),
     ] = None
 
     def __post_init__(self) -> None:
@@ -108,7 +108,8 @@ class MeshLoad:
         if (self.meshes is None) != (self.axes is None):
             missing = "meshes" if self.meshes is None else "axes"
             wrong = Message(
-                N_("the load of elastic satellites needs the stiffness %(missing)s too"), {"missing": missing}
+                N_("the load of elastic planet gears needs the stiffness %(missing)s too"),
+                {"missing": missing},
             )
             raise WrongValue(wrong, Message(N_("state both meshes and axes, or neither")))
         if 0 in (self.meshes, self.axes):
@@ -123,7 +124,7 @@ class MeshLoad:
 
 @dataclass(frozen=True, eq=False)
 class Eccentric:
-    """Sun and ring on parallel axes, satellites of different size between them."""
+    """Sun and ring on parallel axes, planet gears of different size between them."""
 
     name: Annotated[CalledBy | None, Field(description="in the heading")] = field(default=None, kw_only=True)
     ratio: Annotated[Annotated[Fraction, Reads(of_teeth, RATIO)] | None, Field(examples=[4])] = field(
@@ -139,7 +140,7 @@ class Eccentric:
         Field(
             min_length=2,
             max_length=3,
-            description="sun and ring, or sun, largest satellite, ring: then the eccentricity follows",
+            description="sun and ring, or sun, largest planet gear, ring: then the eccentricity follows",
             examples=["[34, 60, 136]"],
         ),
     ] = None
@@ -163,8 +164,10 @@ class Eccentric:
         Annotated[float, quantity("number", 1e-4, 0.1, "0.01 … 10 %")] | None,
         Field(description="of the ratio: sets near it are listed too", examples=["2 %"]),
     ] = None
-    width: Annotated[Span | None, Field(description="of the faces, for the masses of the satellites")] = None
-    density: Annotated[Density | None, Field(description="of the satellites", examples=["7800 kg/m^3"])] = (
+    width: Annotated[Span | None, Field(description="of the faces, for the masses of the planet gears")] = (
+        None
+    )
+    density: Annotated[Density | None, Field(description="of the planet gears", examples=["7800 kg/m^3"])] = (
         None
     )
     load: Annotated[
@@ -179,7 +182,9 @@ class Eccentric:
         """Width and density are stated together."""
         if (self.width is None) != (self.density is None):
             missing = "width" if self.width is None else "density"
-            wrong = Message(N_("the masses of the satellites need the %(missing)s too"), {"missing": missing})
+            wrong = Message(
+                N_("the masses of the planet gears need the %(missing)s too"), {"missing": missing}
+            )
             raise WrongValue(wrong, Message(N_("state both width and density, or neither")))
 
     @property

@@ -11,12 +11,12 @@ SATELLITE = N_(
     "The centre lies on both distances, from the axis of the sun and of the ring; what is left "
     "over of whole pitches is the residue."
 )
-NEAR = N_("All sets of teeth near the wanted ratio are looked at and judged by their satellites.")
+NEAR = N_("All sets of teeth near the wanted ratio are looked at and judged by their planet gears.")
 SPEED = N_("By Willis' equation with the member of the row stopped.")
 PATH = N_("The point is carried by its wheel, which rolls without slip: both angles, then the place.")
 WHEEL = N_("By the module and the teeth of the wheel; the ring's tips cut down as stated in the chapter.")
 PROOF = N_("The outlines of the teeth in mesh turned through a pitch; measured at each step.")
-MASS = N_("The masses of the satellites that the set holds, by their outlines, width and density.")
+MASS = N_("The masses of the planet gears that the set holds, by their outlines, width and density.")
 TEETH = N_("By the set that is taken of the family.")
 RATIO = N_("By the teeth of ring and sun.")
 SCALE = N_("Chosen so that the drawing fits the paper, from the usual scales.")
@@ -24,11 +24,11 @@ RULE = N_("By the rule of the course for the profile of the rack.")
 REST = N_("The remainder of the division by 4.")
 EUCLID = N_("By the extended algorithm of Euclid: a x + b y is the greatest common divisor.")
 LOADS = N_(
-    "The circumferential force that the satellite has of the sum that the moment needs; from it the normal force, and "
-    "the force on its axis."
+    "The circumferential force that the planet gear has of the sum that the moment needs; from it the normal force, "
+    "and the force on its axis."
 )
-STIFF = N_("The stated stiffness of a mesh by that of the axis of a satellite.")
-AXES = N_("The forces of all the satellites on the wheel, added as vectors.")
+STIFF = N_("The stated stiffness of a mesh by that of the axis of a planet gear.")
+AXES = N_("The forces of all the planet gears on the wheel, added as vectors.")
 TURNS = N_("After as many turns of the axes both wheels have turned whole times: by their teeth.")
 
 WAYS = (

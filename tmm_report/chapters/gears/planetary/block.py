@@ -60,11 +60,11 @@ Modules = Annotated[
 ]
 Satellites = Annotated[
     Annotated[Count, Tag(SCALAR)] | Annotated[tuple[Count, Count], Tag(LIST)],
-    by_shape(N_("a number of satellites, or the least and the largest: [2, 5]")),
+    by_shape(N_("a number of planet gears, or the least and the largest: [2, 5]")),
 ]
 Shifts = Annotated[
     Annotated[Shift, Tag(SCALAR)] | Annotated[list[Shift], Tag(LIST)],
-    by_shape(N_("a shift coefficient of the satellites, or those of all wheels: [0.2, 0.1, 0.3]")),
+    by_shape(N_("a profile shift coefficient of the planet gears, or those of all wheels: [0.2, 0.1, 0.3]")),
 ]
 Teeth = Annotated[list[Tooth], Field(min_length=3, max_length=4)]
 
@@ -77,7 +77,7 @@ class SecondModel(Model):
 
 
 class PlanetaryModel(Model):
-    """A planetary stage: two central wheels, a carrier and satellites."""
+    """A planetary stage: two central wheels, a carrier and planet gears."""
 
     kind: Literal["planetary"]
     name: CalledBy | None = Field(
@@ -115,7 +115,7 @@ class PlanetaryModel(Model):
     )
     shift: Shifts | None = Field(
         default=None,
-        description="x of the satellites, or x1, x2, x3 (of two rows x1, x2, x2', x3) of the stated teeth",
+        description="x of the planet gears, or x1, x2, x3 (of two rows x1, x2, x2', x3) of the stated teeth",
         examples=["[0.2, 0.1, 0.3]"],
     )
     coaxiality: Literal["teeth", "shift"] = Field(
@@ -165,12 +165,14 @@ class PlanetaryModel(Model):
             wrong = Message(N_("shifts or a centre distance are stated, but of which scheme is not"))
             raise WrongValue(wrong, Message(N_("state the scheme, or leave them out")))
         if isinstance(self.shift, list) and len(self.shift) != wanted:
-            text = N_("this scheme has %(wanted)s shift coefficients, not %(found)s")
+            text = N_("this scheme has %(wanted)s profile shift coefficients, not %(found)s")
             right = Message(N_("[x1, x2, x3]") if wanted == 3 else N_("[x1, x2, x2', x3]"))
             raise WrongValue(Message(text, {"wanted": wanted, "found": len(self.shift)}), right)
         if isinstance(self.shift, list) and self.teeth is None:
-            wrong = Message(N_("the shift coefficients of all wheels are stated, but their teeth are not"))
-            right = Message(N_("state the teeth, or the one coefficient of the satellites"))
+            wrong = Message(
+                N_("the profile shift coefficients of all wheels are stated, but their teeth are not")
+            )
+            right = Message(N_("state the teeth, or the one coefficient of the planet gears"))
             raise WrongValue(wrong, right)
         return self
 

@@ -187,14 +187,14 @@ class Found:
     def summary(self) -> list[Message]:
         """The main numbers in a sentence."""
         text = N_(
-            "eccentric epicyclic mechanism: sun %(sun)s, largest satellite %(largest)s, ring %(ring)s teeth; "
-            "satellites mounted: %(count)s; conditions not met: %(failed)s"
+            "eccentric epicyclic mechanism: sun %(sun)s, largest planet gear %(largest)s, ring %(ring)s teeth; "
+            "planet gears mounted: %(count)s; conditions not met: %(failed)s"
         )
         values: dict[str, object] = {"sun": self.sun, "largest": self.largest, "ring": self.ring}
         if self.halved:
             text = N_(
-                "eccentric epicyclic mechanism: sun %(sun)s, ring %(ring)s teeth, satellites %(satellites)s; "
-                "satellites mounted: %(count)s; conditions not met: %(failed)s"
+                "eccentric epicyclic mechanism: sun %(sun)s, ring %(ring)s teeth, planet gears %(satellites)s; "
+                "planet gears mounted: %(count)s; conditions not met: %(failed)s"
             )
             values["satellites"] = ", ".join(str(s.teeth) for s in self.upper)
         return [Message(text, values | {"count": len(self.satellites), "failed": len(self.failed)})]

@@ -87,13 +87,13 @@ def _cut(given: Given) -> Iterator[Problem]:
 def _teeth(given: Given) -> Iterator[Problem]:
     sun, *largest, ring = given.teeth or []
     if ring <= sun:
-        right = Message(N_("sun, largest satellite, ring, for example [34, 60, 136]"))
+        right = Message(N_("sun, largest planet gear, ring, for example [34, 60, 136]"))
         wrong = N_("the ring of %(ring)s teeth cannot go round the sun of %(sun)s")
         yield mistake(wrong, _at("teeth"), right, sun=sun, ring=ring)
     elif largest:
         yield from _three(given, sun, largest[0], ring)
     elif given.eccentricity is None:
-        right = Message(N_("add the largest satellite in the middle, [34, 60, 136], or the eccentricity"))
+        right = Message(N_("add the largest planet gear in the middle, [34, 60, 136], or the eccentricity"))
         yield mistake(N_("sun and ring alone do not give the eccentricity"), _at("teeth"), right)
     else:
         yield from _two(given, sun, ring)
@@ -110,7 +110,7 @@ def _two(given: Given, sun: int, ring: int) -> Iterator[Problem]:
             {key: _mm(n * given.module / 2) for key, n in (("low", max(E - 1, 2 - E % 2)), ("high", E + 1))},
         )
         wrong = N_(
-            "with %(sun)s and %(ring)s teeth the largest satellite and the middle ones would have half a tooth"
+            "with %(sun)s and %(ring)s teeth the largest planet gear and the middle ones would have half a tooth"
         )
         yield mistake(wrong, _at("teeth"), right, sun=sun, ring=ring)
     if ring - sun - E < 2 * FEWEST:
@@ -124,7 +124,7 @@ def _two(given: Given, sun: int, ring: int) -> Iterator[Problem]:
         )
         wrong = N_(
             "at the eccentricity %(e)s mm the wheels of %(sun)s and %(ring)s teeth leave no room for the smallest "
-            "satellite"
+            "planet gear"
         )
         shown = {"e": _mm(given.eccentricity or 0.0), "sun": sun, "ring": ring}
         yield mistake(wrong, _at("eccentricity"), right, **shown)
@@ -140,7 +140,7 @@ def _three(given: Given, sun: int, largest: int, ring: int) -> Iterator[Problem]
             if low <= high
             else Message(N_("a larger ring would work"))
         )
-        wrong = N_("a largest satellite of %(z)s teeth leaves no room for the smallest or no eccentricity")
+        wrong = N_("a largest planet gear of %(z)s teeth leaves no room for the smallest or no eccentricity")
         yield mistake(wrong, _at("teeth"), right, z=largest)
     elif given.eccentricity is not None and abs(halves(given) - E) > ROUNDING:
         right = Message(N_("leave one of them out"))
@@ -195,7 +195,7 @@ def not_in_family(t: int, known: Any) -> ProblemError:
 
 def too_wide(given: Given, widest: float) -> ProblemError:
     """The clearance is more than any two satellites leave, `widest`, m."""
-    wrong = N_("no two satellites of a set leave a clearance of %(delta)s mm")
+    wrong = N_("no two planet gears of a set leave a clearance of %(delta)s mm")
     right = Message(N_("a clearance under %(most)s mm would work"), {"most": f"{1e3 * widest:.4g}"})
     return ProblemError([mistake(wrong, _at("clearance"), right, delta=_mm(given.clearance))])
 
@@ -210,7 +210,7 @@ def nothing_fits(given: Given, E: int, most: int, smaller: int | None, ring: int
         text = N_("ring_up_to: %(ring)s would work")
     right = Message(text, values) if smaller or ring else Message(N_("a larger ratio would work"))
     wrong = N_(
-        "at the eccentricity %(e)s mm no set with a ring of at most %(most)s teeth holds two satellites"
+        "at the eccentricity %(e)s mm no set with a ring of at most %(most)s teeth holds two planet gears"
     )
     shown = {"e": _mm(E * given.module / 2), "most": most}
     return ProblemError([mistake(wrong, _at("eccentricity"), right, **shown)])
@@ -220,7 +220,7 @@ def no_satellite(given: Given, family: ecc.Family, sound: int | None, kinds: set
     """The set has none of the satellites asked for, or none that keeps the conditions; `sound`: a set that has some."""
     if given.satellites is not None:
         known = ", ".join(kind for kind in ("largest", "middle", "smallest") if kind in kinds)
-        wrong = N_("the set has no satellite of this kind with a whole number of teeth")
+        wrong = N_("the set has no planet gear of this kind with a whole number of teeth")
         right = Message(N_("one of: %(words)s"), {"words": known})
         return ProblemError([mistake(wrong, _at("satellites"), right)])
     right = Message(N_("more teeth on the sun would work"))
@@ -229,5 +229,5 @@ def no_satellite(given: Given, family: ecc.Family, sound: int | None, kinds: set
         between = [int(largest)] if largest.is_integer() else []
         teeth = [int(family.sun[sound]), *between, int(family.ring[sound])]
         right = Message(N_("the teeth %(teeth)s would work"), {"teeth": str(teeth)})
-    wrong = N_("in this set the ring cuts into the teeth of every satellite, or all of them are undercut")
+    wrong = N_("in this set the ring cuts into the teeth of every planet gear, or all of them are undercut")
     return ProblemError([mistake(wrong, _at("teeth" if given.teeth else "t"), right)])

@@ -44,11 +44,11 @@ REASONS = {
     Reason.UNDERCUT: N_("undercut of teeth"),
     Reason.INTERFERENCE: N_("interference of the internal pair"),
     Reason.CONTACT: N_("the contact ratio is too small"),
-    Reason.NEIGHBOURHOOD: N_("the satellites touch one another"),
-    Reason.ASSEMBLY: N_("the satellites cannot be assembled"),
+    Reason.NEIGHBOURHOOD: N_("the planet gears touch one another"),
+    Reason.ASSEMBLY: N_("the planet gears cannot be assembled"),
 }
 CONTACT = N_("the profile shift leaves a contact ratio under %(least)s")
-FOR_EXAMPLE = N_("for example, teeth %(teeth)s with %(count)s satellites do")
+FOR_EXAMPLE = N_("for example, teeth %(teeth)s with %(count)s planet gears do")
 
 
 def check(task: Task) -> None:
@@ -67,7 +67,7 @@ def no_solution(task: Task, found: Candidates) -> ProblemError:
         "tolerance": f"{100 * task.tolerance:.3g}",
         "count": _listed(task.satellites),
     }
-    wrong = N_("no teeth give the ratio %(ratio)s within %(tolerance)s %% with %(count)s satellites")
+    wrong = N_("no teeth give the ratio %(ratio)s within %(tolerance)s %% with %(count)s planet gears")
     return ProblemError([mistake(wrong, ("ratio",), _nearby(task, found), **values)])
 
 
@@ -99,7 +99,7 @@ def _other_satellites(task: Task, found: Candidates) -> Message | None:
 def _by_shift(task: Task) -> Message | None:
     if task.shifted:
         return None
-    text = N_("with coaxiality: shift, for example, teeth %(teeth)s with %(count)s satellites do")
+    text = N_("with coaxiality: shift, for example, teeth %(teeth)s with %(count)s planet gears do")
     return _example(replace(task, shifted=LARGEST_SHIFTED), text)
 
 
@@ -119,7 +119,7 @@ def _nearest(task: Task, found: Candidates, tolerance: float) -> Message:
     same = near[np.sign(ratio[near]) == np.sign(task.ratio)]
     near = same if len(same) else near
     if not len(near):
-        return Message(N_("allow wider ranges of teeth, or other satellites"))
+        return Message(N_("allow wider ranges of teeth, or other planet gears"))
     best = near[np.argmin(np.abs(ratio[near] - task.ratio))]
     values = {
         "low": f"{ratio[near].min():.4g}",
@@ -216,7 +216,7 @@ def _undercut(task: Task, teeth: Teeth) -> Problem:
 
 
 def _interference(task: Task, teeth: Teeth) -> Problem:
-    wrong = N_("the teeth of the satellite and of the ring interfere: %(teeth)s")
+    wrong = N_("the teeth of the planet gear and of the ring interfere: %(teeth)s")
     return mistake(wrong, ("teeth",), None, teeth=_shown(task, teeth))
 
 
@@ -224,15 +224,15 @@ def _neighbourhood(sizes: p.Sizes, k: int) -> Problem:
     gap = float(p.neighbourhood_gap(sizes, k)[0])
     ratio = float((sizes.largest_satellite / (2 * sizes.centre_distance))[0])
     most = int(np.ceil(np.pi / np.arcsin(min(1.0, ratio)))) - 1
-    wrong = N_("%(count)s satellites overlap by %(gap)s mm")
+    wrong = N_("%(count)s planet gears overlap by %(gap)s mm")
     right = Message(N_("there is room for %(most)s"), {"most": most}) if most >= 2 else None
     return mistake(wrong, ("satellites",), right, count=k, gap=f"{-1e3 * gap:.4g}")
 
 
 def _assembly(task: Task, teeth: Teeth, k: int) -> Problem:
     good = [n for n in ALL_SATELLITES if p.assembles(task.scheme, np.array(teeth), n)]
-    wrong = N_("%(count)s equally spaced satellites cannot be assembled with these teeth")
-    right = Message(N_("%(counts)s satellites can"), {"counts": _listed(good)}) if good else None
+    wrong = N_("%(count)s equally spaced planet gears cannot be assembled with these teeth")
+    right = Message(N_("%(counts)s planet gears can"), {"counts": _listed(good)}) if good else None
     return mistake(wrong, ("satellites",), right, count=k)
 
 

@@ -117,5 +117,5 @@ def _none(given: Given) -> ProblemError:
     task = given.task
     values = {"ratio": f"{task.ratio:.5g}", "tolerance": f"{100 * task.tolerance:.3g}"}
     wrong = N_("none of the schemes gives the ratio %(ratio)s within %(tolerance)s %% and can be driven")
-    right = Message(N_("another ratio, wider ranges of teeth, or other satellites would work"))
+    right = Message(N_("another ratio, wider ranges of teeth, or other planet gears would work"))
     return ProblemError([mistake(wrong, ("ratio",), right, **values)])

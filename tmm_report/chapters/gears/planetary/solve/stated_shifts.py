@@ -45,7 +45,9 @@ def _distance(task: Task, teeth: tuple[int, int, int, int]) -> float:
     x = task.shifts[0] + task.scheme.rows[0] * task.shifts[1]
     found = float(inv(alpha)) + 2 * x * math.tan(alpha) / total
     if found <= 0:
-        wrong = N_("the shift coefficients of wheel 1 and of its satellites leave no centre distance")
+        wrong = N_(
+            "the profile shift coefficients of wheel 1 and of its planet gears leave no centre distance"
+        )
         right = Message(N_("a larger sum of them"))
         raise ProblemError([mistake(wrong, ("shift",), right)])
     return task.modules[0] * total / 2 * math.cos(alpha) / math.cos(float(inverse(found)))
@@ -64,7 +66,9 @@ def _apart(given: Given, task: Task) -> Iterator[Problem]:
             continue
         central, crown = p.ROWS[row]
         turn = math.cos(given.helix)
-        wrong = N_("the shift coefficients of wheels %(pair)s do not belong to the centre distance %(a)s mm")
+        wrong = N_(
+            "the profile shift coefficients of wheels %(pair)s do not belong to the centre distance %(a)s mm"
+        )
         right = N_("with that of wheel %(crown)s the coefficient of wheel %(central)s is %(x)s")
         values = {"pair": f"{given.wheels[central]}-{given.wheels[crown]}", "a": f"{1e3 * task.distance:.6g}"}
         said = {"crown": given.wheels[crown], "central": given.wheels[central]}

@@ -18,7 +18,7 @@ ENGAGEMENT = N_(
 Ratio = Annotated[float, quantity("number", -1e3, 1e3)]
 PLANETS = N_(
     "the link that keeps the axes apart is the carrier; the wheel that runs round stands among the links: "
-    "{links: [0, 2], carrier: 1, radii: [60 mm, 30 mm]}; several satellites are stages of the block drive"
+    "{links: [0, 2], carrier: 1, radii: [60 mm, 30 mm]}; several planet gears are stages of the block drive"
 )
 
 
