@@ -81,6 +81,11 @@ def _rounded(x: float | complex, step: float) -> float | complex:
     return math.copysign(round(size * 1e12) / 1e12, x) + 0.0
 
 
+def read_places(step: float) -> int:
+    """Decimals of lengths that are read to `step`, mm: of 0.25 two, of 0.5 one."""
+    return len(f"{step:.9f}".rstrip("0").partition(".")[2])
+
+
 class Pen:
     """How exactly lines are drawn and lengths are read, mm of paper.
 

@@ -9,6 +9,7 @@ KINDS = ("tests/quantity/test_kinds.py",)
 TRANSLATE = ("tests/chapters/lever/test_translating_links.py",)
 SHEETS = ("tests/report/test_sheets.py",)
 ORDER = ("tests/chapters/lever/force_plans/test_order_of_forces.py",)
+READ = ("tests/chapters/lever/test_lengths_read.py",)
 FORCES = "tmm_report/chapters/lever/force_plans/"
 FAULTS = (
     # --- pieces of the note ---
@@ -57,6 +58,10 @@ FAULTS = (
     Fault("one of a kind left out within its own group", "tmm_report/quantity/terms/kinds.py",
           "here) != here:", 'here) != "":', tests=KINDS),
     # --- one table a position compares ---
+    Fault("lengths rounded to fewer decimals than they are read to", "tmm_report/quantity/paper.py",
+          '{step:.9f}"', '{step:.1g}"', tests=READ),
+    Fault("vectors of a plan beside the forces of another", FORCES + "view.py",
+          "for worked in drawn.worked:", "for worked in self.found.drawn[0].worked:", tests=READ),
     Fault("segments of another position beside the values of a plan", "tmm_report/chapters/lever/plans/view.py",
           "self.page.cell(read, ends, row,", "self.page.cell(read, ends, row - 1,"),
     Fault("an own value in the row of another quantity", "tmm_report/report/comparison.py",
@@ -82,8 +87,7 @@ FAULTS = (
     Fault("the tangential component outside the normal one", FORCES + "drafting/dyad.py",
           "[[*reversed(on_b), *loads, *on_a], []]", "[[*on_b, *loads, *on_a], []]", tests=ORDER),
     Fault("lengths of vectors beside other forces", FORCES + "view.py",
-          "Cell(self.page.num(worked.rows[key][1], 7), worked.ref(key))",
-          "Cell(self.page.num(2 * worked.rows[key][1], 7), worked.ref(key))", "compressor"),
+          "short_and_full(worked.rows[key][1], 7,", "short_and_full(2 * worked.rows[key][1], 7,", "compressor"),
     Fault("every reaction explained again", "tmm_report/report/numbering.py",
           'item.get("kind", item["id"]), {item["id"]', 'item["id"], {item["id"]', tests=ORDER),
     # --- names by languages ---

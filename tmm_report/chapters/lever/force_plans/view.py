@@ -23,7 +23,10 @@ from tmm_report.problems import N_
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Book, Quantity
+from tmm_report.quantity.paper import read_places
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.terms.kinds import parted
+from tmm_report.quantity.text import short_and_full
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.comparison import comparison_table
 from tmm_report.report.diagrams import scale_of
@@ -57,6 +60,7 @@ class ForcePlansView(BookView):
         super().__init__(page, Book.of(q.tables(found), q.values(found)))
         self.found, self.pairs = found, lever.structure.pairs
         self.kinematics, self.length_scale = lever.kinematics, lever.plans.length_scale
+        self.places = read_places(lever.plans.accuracy)
         drawn = [one.position for one in found.drawn]
         self.first = (
             lever.sample if lever.sample in drawn else next(iter(drawn), 0)
@@ -229,5 +233,6 @@ class ForcePlansView(BookView):
         for worked in drawn.worked:
             for of in q.compared(drawn):
                 if (key := q.drawn_length(of).key) in worked.rows:
-                    found[of.key] = Cell(self.page.num(worked.rows[key][1], 7), worked.ref(key))
+                    size = short_and_full(worked.rows[key][1], 7, self.page.tr.decimal, self.places)[1]
+                    found[of.key] = Cell(size, worked.ref(key))
         return found

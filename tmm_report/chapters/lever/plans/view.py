@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from functools import cache
 from typing import TYPE_CHECKING, Any
@@ -22,6 +21,7 @@ from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula, Number, Var
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.symbols import segment
+from tmm_report.quantity.paper import read_places
 from tmm_report.quantity.terms.kinds import Kinds
 from tmm_report.quantity.text import short_and_full
 from tmm_report.quantity.written import DIGITS
@@ -195,7 +195,7 @@ class PlansView(BookView):
     def _segments(self, drawn: Drawn) -> dict[str, Cell]:
         """The lengths measured or laid off, mm, by the values that they give; what is worked from others has none."""
         row, found = self.found.drawn.index(drawn), dict[str, Cell]()
-        places = max(0, -math.floor(math.log10(self.found.accuracy) + 1e-9))
+        places = read_places(self.found.accuracy)
         for plan in (drawn.velocity, drawn.acceleration):
             read, worked = self.table(f"segments_{plan.kind}"), self.table(plan.worked.table)
             for key, ends in plan.ends.items():
