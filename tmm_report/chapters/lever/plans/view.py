@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Any
 from markupsafe import Markup
 
 from tmm_report.chapters.lever.initial_data.quantities import MU_L
+from tmm_report.chapters.lever.kinematics.solve.strokes import translating
 from tmm_report.chapters.lever.plans import quantities as q
 from tmm_report.chapters.lever.plans.drafting import LegLine, Plan, Projections, Sense, Special
 from tmm_report.chapters.lever.plans.draw import plan_picture
 from tmm_report.chapters.lever.plans.scales import Choice
-from tmm_report.chapters.lever.plans.solve import LIMIT, Drawn, Plans
+from tmm_report.chapters.lever.plans.solve import LIMIT, Drawn
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
 from tmm_report.quantity import model
@@ -33,7 +34,6 @@ from tmm_report.report.part import Part
 from tmm_report.report.words import group_name
 
 if TYPE_CHECKING:
-    from tmm_report.chapters.lever.readings.solve import ReadingsFound
     from tmm_report.course import LeverFound
 
 _GRAPH, _ANALYTIC = Var("x_gr", 0.0), Var("x_an", 0.0)
@@ -43,17 +43,18 @@ SENSE = {1: N_("counter-clockwise ↺"), -1: N_("clockwise ↻"), 0: N_("the vec
 
 
 def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
-    yield Part("lever/plans", PlansView(lever.plans, lever.readings, lever.sample, page))
+    yield Part("lever/plans", PlansView(lever, page))
 
 
 class PlansView(BookView):
     difference = DIFFERENCE
     group = staticmethod(group_name)
 
-    def __init__(self, found: Plans, own: ReadingsFound | None, sample: int, page: Page):
-        """`own`: a student's readings; `sample`: the position of which formulas are written out."""
+    def __init__(self, lever: LeverFound, page: Page):
+        found, sample = lever.plans, lever.sample
         super().__init__(page, Book.of(q.tables(found), q.values(found)))
-        self.found, self.named, self.readings = found, found.named, own
+        self.found, self.named, self.readings = found, found.named, lever.readings
+        self.still = translating(lever.kinematics.diagram)
         drawn = [one.position for one in found.drawn]
         self.first = sample if sample in drawn else next(iter(drawn), 0)  # the one that is explained in full
         ranked = sorted(drawn, key=lambda k: k != self.first)
@@ -80,14 +81,9 @@ class PlansView(BookView):
         return self.found.by_law
 
     def translating(self) -> list[str]:
-        """Links with two joints that turn at none of the positions drawn, nor begin to."""
-        values = [{**one.velocity.values, **one.acceleration.values} for one in self.found.drawn]
-        rates = [key for key in values[0] if key.startswith("w_")] if values else []
-        links = [key.removeprefix("w_") for key in rates]
+        """Links that turn at no position of the cycle, of those whose turning the plans show."""
         return [
-            link
-            for link in links
-            if all(one.get(f"w_{link}") == 0 and one.get(f"e_{link}") == 0 for one in values)
+            link for link in self.still if any(f"w_{link}" in one.velocity.values for one in self.found.drawn)
         ]
 
     def in_parts(self, plan: Plan) -> bool:

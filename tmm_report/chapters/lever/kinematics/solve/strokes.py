@@ -121,6 +121,19 @@ def carried(linkage: Linkage) -> dict[str, str]:
     return found
 
 
+def translating(motion: Motion) -> list[str]:
+    """Links that do not turn at any position of the motion."""
+    mechanism = motion.linkage.mechanism
+    driver = mechanism.driver.link
+    least = 1e-9 * float(np.nanmax(np.abs(motion.angular_velocity(driver)), initial=0.0))
+
+    def still(link: str) -> bool:
+        rates = np.abs(motion.angular_velocity(link))
+        return bool(np.nanmax(rates, initial=0.0) <= least)
+
+    return [link for link in mechanism.real.moving if link != driver and still(link)]
+
+
 def driven(linkage: Linkage) -> list[Output]:
     """The links that turn, but for the driving link, those that turn with another and rocking outputs, as outputs that
     turn. Links that replace cam pairs are others in every position: their angles are no motion."""

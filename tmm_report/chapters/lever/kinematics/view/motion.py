@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-import numpy as np
 from markupsafe import Markup
 
 from tmm_report.chapters.lever.initial_data.quantities import speed
@@ -14,7 +13,7 @@ from tmm_report.chapters.lever.kinematics import quantities as q
 from tmm_report.chapters.lever.kinematics.checks.open_cycle import Gap
 from tmm_report.chapters.lever.kinematics.solve.analogues import LAW_ANGLE, analogues_of
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Output, Travel
-from tmm_report.chapters.lever.kinematics.solve.strokes import carried
+from tmm_report.chapters.lever.kinematics.solve.strokes import carried, translating
 from tmm_report.chapters.lever.kinematics.solve.working_stroke import Working
 from tmm_report.chapters.lever.kinematics.view.diagrams import Diagrams
 from tmm_report.mechanics.lever.cycle import larger
@@ -77,18 +76,17 @@ class MotionView(BookView):
 
     def _greatest(self, travel: Travel) -> Iterator[Markup]:
         """The largest magnitudes of the velocity and of the acceleration, or that there are none."""
+        kind, unbounded = travel.output.kind, _unbounded(travel)
         for order, ends in ((1, travel.V_extremes), (2, travel.a_extremes)):
-            kind = (travel.output.kind, order)
-            if not all(math.isfinite(end.value) for end in ends):
-                text = UNBOUNDED[kind]
-                yield self.t(text)
+            if order in unbounded:
+                yield self.t(UNBOUNDED[kind, order])
                 continue
             end = "min" if larger(ends) is ends[0] else "max"
-            key, text = f"{'VA'[order - 1]}_{travel.output.name}_{end}", GREATEST[kind]
-            if self._nought(2, travel.a_extremes):
-                if order == 1:
-                    yield self.t(UNIFORM[travel.output.kind], x=self.number(key, size=True))
-                continue
+            key = f"{'VA'[order - 1]}_{travel.output.name}_{end}"
+            if not unbounded and self._nought(2, travel.a_extremes):
+                yield self.t(UNIFORM[kind], x=self.number(key, size=True))
+                return
+            text = GREATEST[kind, order]
             yield self.t(text, x=self.number(key, size=True), at=self.turned(key))
 
     def _nought(self, order: int, ends: Sequence[Any]) -> bool:
@@ -240,14 +238,7 @@ class MotionView(BookView):
     @property
     def translating(self) -> list[str]:
         """Links that do not turn at any position."""
-        motion, mechanism = self.found.diagram, self.found.linkage.mechanism
-        least = 1e-9 * float(np.nanmax(np.abs(motion.angular_velocity(mechanism.driver.link)), initial=0.0))
-
-        def still(link: str) -> bool:
-            rates = np.abs(motion.angular_velocity(link))
-            return bool(np.nanmax(rates, initial=0.0) <= least)
-
-        return [link for link in mechanism.real.moving if link != mechanism.driver.link and still(link)]
+        return translating(self.found.diagram)
 
     @property
     def _turning(self) -> set[str]:
@@ -267,7 +258,7 @@ class MotionView(BookView):
 def _unbounded(travel: Travel) -> list[int]:
     """Orders of the rates that grow without bound: 1 the velocity, 2 the acceleration."""
     rates = ((1, travel.V_extremes), (2, travel.a_extremes))
-    return [n for n, ends in rates if any(math.isnan(x.value) for x in ends)]
+    return [n for n, ends in rates if not all(math.isfinite(x.value) for x in ends)]
 
 
 GREATEST = {
