@@ -347,9 +347,10 @@ class StructureView(BookView):
 
     @property
     def alike(self) -> bool:
-        """Whether all groups have as many links and pairs."""
+        """Whether all groups have as many links and lower pairs, and none a higher one."""
         table = self.table("groups")
-        return all(len(set(table[key].values)) == 1 for key in ("links_count", "lower", "higher"))
+        same = all(len(set(table[key].values)) == 1 for key in ("links_count", "lower"))
+        return same and not any(table["higher"].values)
 
     def of_every_group(self) -> dict[str, Markup]:
         """The numbers that all groups have, for a sentence."""
