@@ -48,6 +48,25 @@ def test_each_note_has_its_own(tmp_path):
     assert "weight of the load" in json.dumps(numbers, ensure_ascii=False)
 
 
+TIES = """loads:
+  springs:
+    - {name: {ru: пружина, en: coil}, between: [B, O], stiffness: 200 N/m, free_length: 50 mm}
+  dampers:
+    - {name: {ru: гаситель, en: absorber}, between: [E, C], viscosity: 20 N*s/m}
+  torsion_springs:
+    - {name: {ru: торсион, en: twisted bar}, links: [3, 0], stiffness: 5 N*m/rad, preload: 2 N*m}
+"""
+
+
+def test_springs_and_dampers_have_theirs(tmp_path):
+    file = tmp_path / "my.yaml"
+    file.write_text(SOURCE.replace("loads:\n", TIES, 1), encoding="utf-8")
+    found = pages(file)
+    for ru, en in (("пружина", "coil"), ("гаситель", "absorber"), ("торсион", "twisted bar")):
+        assert ru in found["ru"] and en not in found["ru"]
+        assert en in found["en"] and ru not in found["en"]
+
+
 def test_without_the_note_s_language_it_stands_as_given(tmp_path):
     found = pages(written(tmp_path, "{en: The drive}", "вес груза"))
     assert "The drive" in found["ru"] and "вес груза" in found["en"]

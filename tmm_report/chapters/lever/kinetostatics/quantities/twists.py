@@ -48,7 +48,7 @@ def angle_of(twist: Twist) -> Quantity:
 
 def at_end(twist: Twist) -> Quantity:
     """The moment on one of its links."""
-    return _at_end(twist.of, twist.on, str(twist.name))
+    return _at_end(twist.of, twist.on, twist.name or twist.of)
 
 
 @kept
@@ -68,7 +68,7 @@ def tables(found: Kinetostatics) -> Iterator[Table]:
     numbered.append((FREE, [one.law.free for one in springs]))
     texts = (
         ("key", N_("how it is called"), [one.of for one in springs]),
-        ("name", N_("its name"), [str(one.name) for one in springs]),
+        ("name", N_("its name"), [one.name or one.of for one in springs]),
         ("one", N_("link that takes its moment"), [one.on for one in springs]),
         ("other", N_("link that takes the opposite moment"), [one.other for one in springs]),
     )

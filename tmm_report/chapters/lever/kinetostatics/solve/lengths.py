@@ -48,7 +48,8 @@ def between(apart_: Array, speed: Array, size: float) -> Line:
     """l = |r_B − r_A|, l′ = (v_B − v_A)·e with e = (r_B − r_A)/l; `size`: of the mechanism, m."""
     length = np.abs(apart_)
     met = length <= MET * size
-    way = np.where(met, NOWHERE, apart_ / np.where(met, 1.0, length))
+    with np.errstate(invalid="ignore"):  # positions that do not close are nan
+        way = np.where(met, NOWHERE, apart_ / np.where(met, 1.0, length))
     return Line(length, dot(way, speed), way)
 
 

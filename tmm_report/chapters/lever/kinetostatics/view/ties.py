@@ -48,7 +48,7 @@ class TiesView(BookView):
         table, springs = self.table(name), name == "springs"
         rows = []
         for row, end in enumerate(self.springs if springs else self.dampers):
-            called = self.page.word(str(table["name"].values[row]), table, "name", row)
+            called = self.page.word(table["name"].values[row], table, "name", row)
             points = [self._point(table, row, which) for which in ("one", "other")]
             amount = self.page.cell(table, "c" if springs else "b", row)
             rows.append(

@@ -26,7 +26,7 @@ class TwistsView(BookView):
         loaded = "M_0" in table
         rows = [
             [
-                page.sym(table["c"].symbol(row)), page.word(str(table["name"].values[row]), table, "name", row),
+                page.sym(table["c"].symbol(row)), page.word(table["name"].values[row], table, "name", row),
                 *(page.word(str(table[key].values[row]), table, key, row) for key in ("one", "other")),
                 *(page.cell(table, key, row) for key in (("c", "M_0") if loaded else ("c",))),
                 page.cell(table, "alpha_0", row),
