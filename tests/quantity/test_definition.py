@@ -3,9 +3,10 @@
 import pytest
 
 from tmm_report.i18n import Translator
-from tmm_report.quantity.definition import in_letters, of_all, parted
+from tmm_report.quantity.definition import in_letters, of_all
 from tmm_report.quantity.formula import Expr, Formula, Var, sin, sqrt
 from tmm_report.quantity.symbols import Symbol, math_symbol
+from tmm_report.quantity.terms.kinds import parted
 
 TR = Translator("en")
 
@@ -43,4 +44,4 @@ def test_letters_are_found_wherever_they_stand(wrap):
 def test_the_first_of_each_kind_and_what_is_no_other_formula():
     one, other, taken = diameter("4", 14.0), diameter("5", 28.0), diameter("6", 28.0, taken=True)
     same = Formula("d_7", Var("d_4", 80.0), "mm")
-    assert parted([one, other, same, taken], TR) == ([one, taken], [other, same])
+    assert parted([one, other, same, taken]) == ([one, taken], [other, same])

@@ -3,7 +3,7 @@ in a table."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import fields, replace
 
 from tmm_report.i18n import Translator
@@ -32,18 +32,15 @@ class Definition:
 
 def in_letters(formula: Formula, called: Mapping[Symbol, Symbol]) -> Definition:
     """`called`: what its letters are called here, d_4 is d_i."""
-    return _as_called(formula, lambda sign: called.get(sign, sign))
+    sign = Var(formula.result, 0.0).sign
+    return Definition(called.get(sign, sign), _renamed(formula.expression, called))
 
 
-def _as_called(formula: Formula, name: Callable[[Symbol], Symbol]) -> Definition:
-    return Definition(name(Var(formula.result, 0.0).sign), _renamed(formula.expression, name))
-
-
-def _renamed(expression: Expr, name: Callable[[Symbol], Symbol]) -> Expr:
+def _renamed(expression: Expr, called: Mapping[Symbol, Symbol]) -> Expr:
     if isinstance(expression, Var):
-        return replace(expression, symbol=name(expression.sign))
+        return replace(expression, symbol=called.get(expression.sign, expression.sign))
     inner = {
-        field.name: _renamed(part, name)
+        field.name: _renamed(part, called)
         for field in fields(expression)
         if isinstance(part := getattr(expression, field.name), Expr)
     }
@@ -55,17 +52,3 @@ def of_all(formulas: Iterable[tuple[Formula, Mapping[Symbol, Symbol]]], tr: Tran
     formulas = list(formulas)
     alike = {one.mathml(tr): one for one in (in_letters(*one) for one in formulas)}
     return [*alike.values()] if len(alike) < 2 else [in_letters(one, {}) for one, _ in formulas]
-
-
-def parted(formulas: Iterable[Formula], tr: Translator) -> tuple[list[Formula], list[Formula]]:
-    """The first of each kind, then the others: formulas are of one kind that differ by indices and numbers alone; what
-    is another's number is none."""
-    first: dict[str, Formula] = {}
-    others = []
-    for formula in formulas:
-        shape = _as_called(formula, lambda sign: Symbol(sign.base)).mathml(tr)
-        if shape in first or isinstance(formula.expression, Var):
-            others.append(formula)
-        else:
-            first[shape] = formula
-    return list(first.values()), others

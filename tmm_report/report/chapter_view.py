@@ -11,10 +11,10 @@ from typing import Any
 from markupsafe import Markup
 
 from tmm_report.figures.charts.graphs import Graph
-from tmm_report.quantity.definition import parted
 from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.model import Book, Column, Table, Value
 from tmm_report.quantity.sheet import Sheet
+from tmm_report.quantity.terms.kinds import parted
 from tmm_report.quantity.written import Equation
 from tmm_report.report.diagrams import Line, cycle_lines
 from tmm_report.report.page import Page
@@ -76,9 +76,7 @@ class BookView:
 
     def where(self, *formulas: Formula | Equation) -> list[dict[str, Any]]:
         """What a "where" list says of the quantities of the formulas."""
-        items = self.page.where(*formulas)
-        if self.kinds_once:
-            items = [{**item, "kind": item["message"].text} if item["message"] else item for item in items]
+        items = self.page.where(*formulas, kinds_once=self.kinds_once)
         return [{**item, "id": (self.prefix, item["id"])} for item in items] if self.own else items
 
     def explained(self, *keys: str) -> list[dict[str, Any]]:
@@ -180,4 +178,4 @@ class ChapterView(BookView):
 
     def of_each_kind(self, formulas: Iterable[Formula]) -> list[Formula]:
         """All of them, or the first of each kind; tables have the numbers of the others."""
-        return [*formulas] if self.page.note.every else parted(formulas, self.page.tr)[0]
+        return [*formulas] if self.page.note.every else parted(formulas)[0]

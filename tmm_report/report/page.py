@@ -228,15 +228,17 @@ class Page:
         text = message.render(self.tr.gettext)
         return self.text(re.sub(r"(?<=\d)\.(?=\d)", self.tr.decimal, text))
 
-    def where(self, *formulas: Formula | Equation) -> list[dict[str, Any]]:
+    def where(self, *formulas: Formula | Equation, kinds_once: bool = False) -> list[dict[str, Any]]:
         """Items of a "where" list: every quantity of the formulas in their order, with its meaning and unit.
 
-        Segments differ only by their ends, which name themselves: one of them is explained for all.
+        Segments differ only by their ends, which name themselves: one of them is explained for all; `kinds_once`: so
+        is of what is called alike the first.
         """
         items = []
         for sign, meaning, unit in explained(*formulas):
             key = "segment" if sign.kind == "segment" else sign
-            items.append({"symbol": sign, "id": key, "unit": unit, "message": meaning})
+            kind = {"kind": meaning.text} if kinds_once else {}
+            items.append({"symbol": sign, "id": key, "unit": unit, "message": meaning, **kind})
         return items
 
     def fresh(self, items: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:

@@ -57,6 +57,8 @@ FAULTS = (
           "(sign.base, sign.sup, var.unit)", '("", sign.sup, var.unit)', tests=KINDS),
     Fault("one of a kind left out within its own group", "tmm_report/quantity/terms/kinds.py",
           "here) != here:", 'here) != "":', tests=KINDS),
+    Fault("what is nought stands for its kind", "tmm_report/quantity/terms/kinds.py",
+          "if formula.written and not leader.written:", "if False:", tests=ORDER),
     # --- one table a position compares ---
     Fault("lengths rounded to fewer decimals than they are read to", "tmm_report/quantity/paper.py",
           '{step:.9f}"', '{step:.1g}"', tests=READ),

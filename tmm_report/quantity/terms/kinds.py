@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Mapping
+from collections.abc import Hashable, Iterable
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from tmm_report.quantity.formula import Expr, Formula, Negative, Var
 
@@ -34,13 +34,6 @@ class Kinds:
         self._first: dict[Hashable, object] = {}  # the part of the chapter that had the kind first
         self._alike = set[Hashable]()
 
-    def explained(self, items: Iterable[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-        """Items of a "where" list, of which what differs by its points and links alone is explained once for all."""
-        return [
-            {**item, "id": item["message"].text} if not self.every and item["message"].values else item
-            for item in items
-        ]
-
     def __call__(self, formulas: Iterable[Formula], part: str | None = None) -> Worked:
         """`part`: of the chapter, as a group: what is of one kind within it is printed in symbols; None: nothing is."""
         found = Worked([], [])
@@ -61,6 +54,20 @@ class Kinds:
     def _known(self, same: Hashable, nought: bool, here: object) -> object:
         """The part that worked out such a formula first; `here` if none did."""
         return self._first.get((same, False), self._first.get((same, True), here) if nought else here)
+
+
+def parted(formulas: Iterable[Formula]) -> tuple[list[Formula], list[Formula]]:
+    """The first of each kind that is not nought, then the others; what is another's number is none."""
+    formulas = list(formulas)
+    first: dict[Hashable, Formula] = {}
+    for formula in formulas:
+        if isinstance(formula.expression, Var):
+            continue
+        leader = first.setdefault(_kind(formula, False), formula)
+        if formula.written and not leader.written:
+            first[_kind(formula, False)] = formula
+    leading = list(first.values())
+    return leading, [one for one in formulas if not any(one is leader for leader in leading)]
 
 
 def value_of(formula: Formula) -> Var:

@@ -23,8 +23,8 @@ from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.figures.drawing import Drawing
 from tmm_report.problems import N_
 from tmm_report.quantity import model as quantity
-from tmm_report.quantity.definition import parted
 from tmm_report.quantity.formula import Formula
+from tmm_report.quantity.terms.kinds import parted
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
@@ -96,7 +96,7 @@ class DriveView(ChapterView):
     def speeds(self) -> tuple[list[Formula], list[Formula]]:
         """Of all the stages in their order: the first of each kind, and the others."""
         names = (name for names in self.whole.turned for name in names)
-        return parted((self.members[name].formula("omega") for name in names), self.page.tr)
+        return parted(self.members[name].formula("omega") for name in names)
 
     # ------------------------------------------------------------ what is given
 

@@ -65,7 +65,7 @@ class ForcePlansView(BookView):
         self.first = (
             lever.sample if lever.sample in drawn else next(iter(drawn), 0)
         )  # that is worked out in full
-        self.picture = cache(self._picture)
+        self.picture, self.parted = cache(self._picture), cache(self._parted)
         forces, self.ties = lever.kinetostatics, tuple(ties_of(lever))
         self.couples = forces is not None and bool(forces.table.loading.couples)
 
@@ -97,20 +97,17 @@ class ForcePlansView(BookView):
     # ------------------------------------------------------------ formulas
 
     def leading(self, drawn: ForceDrawn, formulas: Sequence[Formula]) -> list[Formula]:
-        """Of the inertia forces or readings of a position those that stand for their kind, each the first of it that
-        is not nought."""
-        first: dict[tuple[str, str], Formula] = {}
-        for one in (*drawn.inertia, *(one for plan in drawn.plans for one in plan.readings)):
-            kind = (Var(one.result, 0.0).sign.base, one.unit)
-            leader = first.setdefault(kind, one)
-            if one.written and not leader.written:
-                first[kind] = one
-        return [one for one in formulas if any(one is leader for leader in first.values())]
+        """Of the inertia forces or readings of a position those that stand for their kind."""
+        first, _ = self.parted(drawn)
+        return [one for one in formulas if one in first]
 
     def following(self, drawn: ForceDrawn, formulas: Sequence[Formula]) -> list[Formula]:
         """The others."""
-        leading = self.leading(drawn, formulas)
-        return [one for one in formulas if not any(one is leader for leader in leading)]
+        _, others = self.parted(drawn)
+        return [one for one in formulas if one in others]
+
+    def _parted(self, drawn: ForceDrawn) -> tuple[list[Formula], list[Formula]]:
+        return parted((*drawn.inertia, *(one for plan in drawn.plans for one in plan.readings)))
 
     def solution(self, plan: ForcePlan) -> Markup:
         return self.page.listed(self.page.value(var, digits=5) for var in plan.solution)

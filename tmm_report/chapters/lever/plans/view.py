@@ -21,8 +21,8 @@ from tmm_report.quantity import model
 from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula, Number, Var
 from tmm_report.quantity.model import Book
-from tmm_report.quantity.symbols import segment
 from tmm_report.quantity.paper import read_places
+from tmm_report.quantity.symbols import segment
 from tmm_report.quantity.terms.kinds import Kinds
 from tmm_report.quantity.text import short_and_full
 from tmm_report.quantity.written import DIGITS
@@ -59,7 +59,7 @@ class PlansView(BookView):
         self.first = sample if sample in drawn else next(iter(drawn), 0)  # the one that is explained in full
         ranked = sorted(drawn, key=lambda k: k != self.first)
         self.worked = ranked[: page.note.plans or 1]  # positions whose plans always stand in the text
-        self.kinds = Kinds(page.note.every)
+        self.kinds_once, self.kinds = not page.note.every, Kinds(page.note.every)
         self.picture = cache(self._picture)
 
     def conclusions(self) -> list[Markup]:
@@ -95,10 +95,6 @@ class PlansView(BookView):
 
     def accuracy(self) -> Markup:
         return self.number("accuracy")
-
-    def where(self, *formulas: Any) -> list[Any]:
-        """What a "where" list says of the quantities of the formulas."""
-        return self.kinds.explained(self.page.where(*formulas))
 
     # ------------------------------------------------------------ scales
 

@@ -17,9 +17,10 @@ from tmm_report.chapters.gears.train.view.tables import TrainTables
 from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.gears.compound.rows import Row, row_ratio
 from tmm_report.problems import N_
-from tmm_report.quantity.definition import Definition, parted
+from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import PI, Expr, Formula, Var, sin
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.terms.kinds import parted
 from tmm_report.report.page import Page
 from tmm_report.report.part import Failed, Part
 
@@ -155,7 +156,7 @@ class TrainView(TrainTables):
         members = (self.made.members[name] for name in self.made.order)
         keys = ("omega", "omega_rel")
         found = (next(m.formula(key) for key in keys if m.has_formula(key)) for m in members)
-        return parted(found, self.page.tr)
+        return parted(found)
 
     @property
     def tilted(self) -> list[str]:

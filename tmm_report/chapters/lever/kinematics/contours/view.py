@@ -123,9 +123,9 @@ class ContoursView:
             )
         return self.t(text, link=written.links[0], by=written.by, at=written.at)
 
-    def where(self, *formulas: Formula | Equation) -> list[Mapping[str, Any]]:
+    def where(self, *formulas: Formula | Equation) -> list[dict[str, Any]]:
         """What a "where" list says of the quantities of the formulas."""
-        return self.kinds.explained(self.page.where(*formulas))
+        return self.page.where(*formulas, kinds_once=not self.page.note.every)
 
     def conventions(self, items: Sequence[Mapping[str, Any]]) -> Markup:
         """What the symbols mean, in a sentence."""
