@@ -45,3 +45,11 @@ def test_the_first_of_each_kind_and_what_is_no_other_formula():
     one, other, taken = diameter("4", 14.0), diameter("5", 28.0), diameter("6", 28.0, taken=True)
     same = Formula("d_7", Var("d_4", 80.0), "mm")
     assert parted([one, other, same, taken]) == ([one, taken], [other, same])
+
+
+def test_what_is_nought_does_not_stand_for_its_kind():
+    nought, nothing, one, other = (
+        diameter(i, z) for i, z in zip("4567", (-2.0, -2.0, 28.0, 14.0), strict=True)
+    )
+    assert parted([nought, one, other, nothing]) == ([one], [nought, other, nothing])
+    assert parted([nought, nothing]) == ([nought], [nothing])
