@@ -2,8 +2,8 @@
 
 FOLDER holds LiberationSerif-Regular.ttf, -Bold.ttf and -Italic.ttf 2.1.5 (Debian's package fonts-liberation2).
 Writes the subsets `templates/fonts/NoteSerif-*.woff2` (renamed, for "Liberation" is a reserved font name) and
-`templates/fonts/widths.json`, how far each letter of these faces and of the formulas' one advances. The same fonts
-give the same bytes.
+`templates/fonts/widths.json`, how far each letter of these faces and of the formulas' one advances; the formulas' face
+loses the shapes for an index of an index, a quarter of it. The same fonts give the same bytes.
 """
 
 from __future__ import annotations
@@ -41,7 +41,10 @@ def main(folder: Path) -> None:
         font.flavor = "woff2"
         font.save(FONTS / f"NoteSerif-{style}.woff2")
         widths[key] = advances(font)
-    widths["math"] = advances(TTFont(FONTS / MATH))
+    math = TTFont(FONTS / MATH, recalcTimestamp=False)
+    once_smaller(math)
+    math.save(FONTS / MATH)
+    widths["math"] = advances(math)
     text = json.dumps(widths, ensure_ascii=False, separators=(",", ":"))
     (FONTS / "widths.json").write_text(text.replace('},"', '},\n"') + "\n", "utf-8")
 
@@ -53,6 +56,21 @@ def subset(font: TTFont) -> None:
     options.name_IDs = ["*"]
     subsetter = Subsetter(options)
     subsetter.populate(unicodes=[code for first, last in SETS for code in range(first, last + 1)])
+    subsetter.subset(font)
+
+
+def once_smaller(font: TTFont) -> None:
+    """The face of formulas with one smaller shape a letter, that of an index; an index of an index is the letter."""
+    for lookup in font["GSUB"].table.LookupList.Lookup:
+        for table in lookup.SubTable:
+            for letter, shapes in getattr(table, "alternates", {}).items():
+                table.alternates[letter] = shapes[:1]
+    options = Options()
+    options.hinting = False
+    options.layout_features = ["ssty", "dtls", "flac"]
+    options.desubroutinize = True  # what is said in full compresses better
+    subsetter = Subsetter(options)
+    subsetter.populate(unicodes=font.getBestCmap())
     subsetter.subset(font)
 
 

@@ -166,7 +166,7 @@ OFFENCES = (
     Offence("a table over the margin", "margin", HTML,
             edit(HTML, r'(id="table5".*?<tr>.*?<th>)', r"\g<1><math><mn>" + "9" * 80 + "</mn></math>")),
     Offence("a formula over the margin", "margin", HTML,
-            edit(HTML, r'(id="formula2\.7"><div class="math"><math displaystyle="true">)',
+            edit(HTML, r'(id="formula2\.7"><div class="math"><math>)',
                  r"\1<mn>" + "8" * 80 + "</mn>")),
     Offence("a picture over the margin", "margin", HTML,
             edit(HTML, r'(<figure id="figure3">\s*<svg [^>]*width=")[\d.]+mm', r"\g<1>181mm")),

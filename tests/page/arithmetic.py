@@ -92,7 +92,7 @@ def one(node: Element) -> Near:
 
 def row(inside: list[Element]) -> Near:
     """A bracket, a magnitude, a function of an argument, or an expression that holds together."""
-    if inside and inside[0].get("fence") == "true":
+    if inside and inside[0].get("form") == "prefix" and inside[0].text in ("(", "[", "{", "|"):
         body = evaluate(inside[1:-1])
         return Near(abs(body.value), body.error) if inside[0].text == "|" else body
     if inside and inside[0].tag in ("mi", "mtext") and (inside[0].text or "") in BY_NAME:

@@ -20,7 +20,7 @@ _BAR = re.compile(r'<svg class="bar".*?</svg>')  # a length to measure, no drawi
 _AGAIN = re.compile(
     r'<math class="again"[^>]*><mo [^>]*>[^<]*</mo></math><br/>'
 )  # a sign repeated at a line's end
-_CROSS = '<math displaystyle="true"><mo form="infix">×</mo>'  # with which a product goes on in the next line
+_CROSS = '<math><mo form="infix">×</mo>'  # with which a product goes on in the next line
 _MAIN = re.compile(r"<main>.*</main>", re.S)
 
 

@@ -42,6 +42,7 @@ from tmm_report.figures.primitives import (
     with_places,
     written,
 )
+from tmm_report.figures.thinning import thinned
 from tmm_report.records import dataclass
 
 __all__ = [
@@ -158,7 +159,7 @@ def svg(drawing: Drawing, turned: bool = False) -> str:
     )
     style = f'<g {look} font-family="{_FONTS}" font-size="{TEXT}">'
     places: list[complex] = []
-    body = "".join([item.svg(places) for item in drawing.items if not isinstance(item, Text)])
+    body = "".join([item.svg(places) for item in thinned(drawing.items) if not isinstance(item, Text)])
     texts = "".join([item.svg(places) for item in drawing.items if isinstance(item, Text)])
     drawn = with_places(f'{body}<g fill="#000000">{texts}</g>', places)
     title = f"<title>{xml_text(drawing.title)}</title>" if drawing.title else ""
@@ -177,7 +178,7 @@ def tikz(drawing: Drawing) -> str:
     colours = [rf"\definecolor{{{tikz_colour(name)}}}{{HTML}}{{{code}}}" for name, code in COLOURS.items()]
     font = r"\providecommand{\drawingfont}[1]{\fontsize{#1}{#1}\selectfont}"
     options = "x=1mm,y=1mm,line cap=round,line join=round,every node/.style={inner sep=0pt,outer sep=0pt}"
-    lines = [item.tikz() for item in drawing.items if not isinstance(item, Text)]
+    lines = [item.tikz() for item in thinned(drawing.items) if not isinstance(item, Text)]
     texts = [item.tikz() for item in drawing.items if isinstance(item, Text)]
     return "\n".join(
         [rf"\begin{{tikzpicture}}[{options}]", font, *colours, box, *lines, *texts, r"\end{tikzpicture}", ""]

@@ -171,7 +171,7 @@ def svg_parts(parts: Parts, size: float) -> str:
     for part in parts:
         for text, mark, rise, dx, small in _runs(part):
             out.append(
-                _tspan(text, mark, size * (back - rise), size * (dx + skip), SMALL * size if small else size)
+                _tspan(text, mark, size * (back - rise), size * (dx + skip), SMALL * size if small else None)
             )
             back, skip = rise, 0.0
         skip = _ahead(part)
@@ -209,9 +209,11 @@ def _ahead(part: Part) -> float:
 _ITALIC = {True: ' font-style="italic"', False: ""}
 
 
-def _tspan(text: str, mark: str, dy: float, dx: float, size: float) -> str:
+def _tspan(text: str, mark: str, dy: float, dx: float, size: float | None) -> str:
+    """`size`: where it is another than that of the whole text, mm."""
     move = (f' dy="{dy:.3g}"' if dy else "") + (f' dx="{dx:.3g}"' if dx else "")
-    return f'<tspan{mark}{move} font-size="{size:.3g}">{xml_text(text)}</tspan>'
+    look = "" if size is None else f' font-size="{size:.3g}"'
+    return f"<tspan{mark}{move}{look}>{xml_text(text)}</tspan>"
 
 
 # --- TeX ---

@@ -63,12 +63,14 @@ class Path:
     fill: str = ""
     closed: bool = False
     opacity: float = 1.0  # of the fill
+    held: frozenset[complex] = frozenset()  # of its points, those it goes through though it is drawn by fewer
 
     def outline(self) -> list[tuple[complex, ...]]:
         return [(*stroke, stroke[0]) if self.closed else stroke for stroke in self.strokes]
 
     def moved(self, by: complex) -> Path:
-        return replace(self, strokes=tuple(tuple(z + by for z in stroke) for stroke in self.strokes))
+        strokes = tuple(tuple(z + by for z in stroke) for stroke in self.strokes)
+        return replace(self, strokes=strokes, held=frozenset(z + by for z in self.held))
 
     def corners(self) -> Iterable[complex]:
         return chain.from_iterable(self.strokes)

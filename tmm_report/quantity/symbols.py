@@ -283,8 +283,8 @@ class MathML(Notation):
         return _symbol(symbol, self)
 
     def indexed(self, base: str, sub: str, sup: str) -> str:
-        base = base if base.count("<m") == 1 else f"<mrow>{base}</mrow>"
-        rows = "".join(f"<mrow>{index}</mrow>" for index in (sub, sup) if index)
+        base = _row(base)
+        rows = "".join(_row(index) for index in (sub, sup) if index)
         tag = ("msubsup" if sup else "msub") if sub else ("msup" if sup else "mrow")
         return f"<{tag}>{base}{rows}</{tag}>" if rows else base
 
@@ -317,29 +317,29 @@ class MathML(Notation):
         # Stretched brackets have wide bearings: only what is tall gets them.
         tall = "true" if "<mfrac" in text or "<msqrt" in text else "false"
         left, right = (
-            f'<mo form="{form}" fence="true" stretchy="{tall}">{mark}</mo>'
+            f'<mo form="{form}" stretchy="{tall}">{mark}</mo>'
             for form, mark in zip(("prefix", "postfix"), marks, strict=True)
         )
         return f"<mrow>{left}{text}{right}</mrow>"
 
     def fraction(self, above: str, below: str) -> str:
-        return f"<mfrac><mrow>{above}</mrow><mrow>{below}</mrow></mfrac>"
+        return f"<mfrac>{_row(above)}{_row(below)}</mfrac>"
 
     def root(self, text: str) -> str:
         return f"<msqrt>{text}</msqrt>"
 
     def power(self, base: str, exponent: str) -> str:
-        return f"<msup><mrow>{base}</mrow><mrow>{exponent}</mrow></msup>"
+        return f"<msup>{_row(base)}{_row(exponent)}</msup>"
 
     def function(self, name: str, argument: str) -> str:
         return f'<mrow><mi>{name}</mi><mspace width="0.17em"/>{argument}</mrow>'
 
     def integral(self, body: str, along: str, lower: str, upper: str) -> str:
-        sign = f"<msubsup><mo>∫</mo><mrow>{lower}</mrow><mrow>{upper}</mrow></msubsup>"
+        sign = f"<msubsup><mo>∫</mo>{_row(lower)}{_row(upper)}</msubsup>"
         return f'<mrow>{sign}{body}<mspace width="0.17em"/><mi>d</mi>{along}</mrow>'
 
     def bar(self, text: str) -> str:
-        return f'<mover><mrow>{text}</mrow><mo stretchy="true">‾</mo></mover>'
+        return f'<mover>{_row(text)}<mo stretchy="true">‾</mo></mover>'
 
     def underlined(self, text: str, lines: int) -> str:
         # MathML Core has no underline; a border of a row is drawn by every browser.
@@ -347,11 +347,16 @@ class MathML(Notation):
         return f'<mrow style="{style};padding-bottom:0.12em">{text}</mrow>' if style else text
 
     def under(self, text: str, note: str) -> str:
-        return f"<munder><mrow>{text}</mrow><mrow>{note}</mrow></munder>"
+        return f"<munder>{_row(text)}{_row(note)}</munder>"
 
     def formula(self, pieces: list[str]) -> str:
         """Pieces as neighbouring `math` elements: lines may break between them, never inside one."""
-        return "<wbr/>".join(f'<math displaystyle="true">{piece}</math>' for piece in pieces)
+        return "<wbr/>".join(f"<math>{piece}</math>" for piece in pieces)
+
+
+def _row(text: str) -> str:
+    """What takes the place of one element."""
+    return text if text.count("<m") == 1 else f"<mrow>{text}</mrow>"
 
 
 def _unit_sign(word: re.Match[str]) -> str:

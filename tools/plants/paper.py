@@ -1,4 +1,4 @@
-"""Faults of how the note looks on paper: its profile."""
+"""Faults of how the note looks on paper: its profile, its curves."""
 
 from faults import Fault
 
@@ -7,6 +7,7 @@ PRINT = ("tests/commands/test_printing.py",)
 FRONT = ("tests/report/test_front_matter.py",)
 DEPARTMENT = ("tests/batches/test_department.py",)
 OWN = ("tests/report/test_own_template.py",)
+THINNED = ("tests/figures/test_thinning.py",)
 FAULTS = (
     Fault("a binding margin of the print that is not the profile's", "templates/profile.css.j2",
           "{{ p.margins.bottom }}mm {{ p.margins.left }}mm", "{{ p.margins.bottom }}mm {{ p.margins.left - 5 }}mm",
@@ -56,4 +57,12 @@ FAULTS = (
           "page.form.due() + own.written(", "own.written(", tests=OWN),
     Fault("a mistake of a department's template without its line", "tmm_report/report/own/__init__.py",
           "line = self.template.get_corresponding_lineno(trace.tb_lineno)", "line = 1", tests=OWN),
+    Fault("the positions of a diagram left out of its curve", "tmm_report/figures/thinning.py",
+          "place in those for stroke", "False for stroke", tests=THINNED),
+    Fault("one stroke thinned over into the next", "tmm_report/figures/thinning.py",
+          "[0], ends[:-1], ends - 1]", "[0], ends[-1:] - 1]", tests=THINNED),
+    Fault("the distance from a line taken for that from its segment", "tmm_report/figures/thinning.py",
+          "np.clip((off * chord.conj()).real / square, 0, 1)", "(off * chord.conj()).real / square", tests=THINNED),
+    Fault("only the middle of a piece looked at", "tmm_report/figures/thinning.py",
+          "(away <= APART).all(axis=1)", "away[:, 0] <= APART", tests=THINNED),
 )  # fmt: skip

@@ -27,7 +27,7 @@ from tmm_report.figures.charts.axes import (
     value_ticks,
 )
 from tmm_report.figures.charts.peaks import Crowd, placed
-from tmm_report.figures.drawing import Circle, Drawing, Item, Path, Pen, Text, line, polygon
+from tmm_report.figures.drawing import Circle, Drawing, Item, Path, Pen, Text, dot, line, polygon
 from tmm_report.figures.lettering import Parts, width
 from tmm_report.mechanics.lever.assur_groups import ROMAN
 
@@ -41,6 +41,9 @@ RING, MARK = 0.85, 0.6  # radii of a ring at an extreme and of a marker, mm
 SAMPLE, SPACE = 10.0, 4.0  # length of a sample of a line, space before the next, mm
 
 
+DISC = 12  # corners of a marker that is drawn round
+
+
 class Look(NamedTuple):
     """How a curve is told apart without colour too: by its dashes and by its marker, of so many corners at a turn."""
 
@@ -50,7 +53,7 @@ class Look(NamedTuple):
 
 
 LOOKS = (
-    Look(Pen(CURVE), 12),
+    Look(Pen(CURVE), DISC),
     Look(Pen(CURVE, "blue", (2.4, 0.9)), 4, math.pi / 4),
     Look(Pen(CURVE, "red", (2.4, 0.8, 0.5, 0.8)), 3, math.pi / 2),
     Look(Pen(CURVE, "green", (0.7, 0.6)), 4),
@@ -113,12 +116,13 @@ def _x_ticks(graph: Graph) -> list[float]:
 
 def _curve(places: np.ndarray, look: Look) -> Iterator[Item]:
     """A line that breaks where a value is nan, with a marker at every twelfth of its way along x."""
-    strokes = _unbroken(places)
-    if strokes:
-        yield Path(tuple(tuple(stroke.tolist()) for stroke in strokes), look.pen)
     twelfths = np.linspace(places[0].real, places[-1].real, 13)
     spots = places[np.unique(np.abs(places.real - twelfths[:, None]).argmin(axis=1))]
-    yield from _markers(spots[np.isfinite(spots.imag)].tolist(), look)
+    marked = spots[np.isfinite(spots.imag)].tolist()
+    strokes = _unbroken(places)
+    if strokes:
+        yield Path(tuple(tuple(stroke.tolist()) for stroke in strokes), look.pen, held=frozenset(marked))
+    yield from _markers(marked, look)
 
 
 def _unbroken(places: np.ndarray) -> list[np.ndarray]:
@@ -128,9 +132,11 @@ def _unbroken(places: np.ndarray) -> list[np.ndarray]:
     return [stretch for stretch in stretches if len(stretch) > 1]
 
 
-def _markers(spots: Sequence[complex], look: Look) -> Iterator[Path]:
-    if spots:
-        radius = MARK * (1 + 1.4 / look.corners)  # a triangle looks smaller than a disc
+def _markers(spots: Sequence[complex], look: Look) -> Iterator[Item]:
+    radius = MARK * (1 + 1.4 / look.corners)  # a triangle looks smaller than a disc
+    if look.corners == DISC:
+        yield from (dot(spot, radius, look.pen.colour) for spot in spots)
+    elif spots:
         shape = [cmath.rect(radius, look.turn + math.tau * k / look.corners) for k in range(look.corners)]
         places = np.array(spots)[:, None] + np.array(shape)
         yield Path(tuple(map(tuple, places.tolist())), None, look.pen.colour, True)

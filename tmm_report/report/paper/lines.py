@@ -20,7 +20,7 @@ _FULL = 0.45  # of a line: one that is so full may end before a relation, though
 
 # --- MathML ---
 
-_HEAD = '<math displaystyle="true">'
+_HEAD = "<math>"
 _MARKUP = re.compile(r"<[^>]+>")
 _SIGN = re.compile(r'<mo form="infix">([^<]+|&lt;)</mo>')
 _AGAIN = '<math class="again" aria-hidden="true">{}</math><br/>'
@@ -113,7 +113,7 @@ def _breaks(node: Element) -> bool:
 
 
 def _written(row: Sequence[Element]) -> str:
-    math = Element("math", displaystyle="true")
+    math = Element("math")
     math.extend(row)
     return tostring(math, encoding="unicode").replace(" />", "/>")
 
