@@ -128,8 +128,12 @@ D_MEANING = {
     True: N_("%(axis)s component of the vector from the point that the guide is stated by to %(end)s"),
     False: N_("%(axis)s component of the vector from %(start)s to %(end)s"),
 }
-D_FIRST = N_("derivative of the %(axis)s component of the vector d by the angle of link %(link)s")
-D_SECOND = N_("second derivative of the %(axis)s component of the vector d by the angle of link %(link)s")
+D_FIRST = N_(
+    "derivative of the %(axis)s component of the vector d with respect to the angle of link %(link)s"
+)
+D_SECOND = N_(
+    "second derivative of the %(axis)s component of the vector d with respect to the angle of link %(link)s"
+)
 
 
 def vector(stroke: Reversed) -> tuple[Quantity, ...]:
@@ -150,8 +154,8 @@ def vector(stroke: Reversed) -> tuple[Quantity, ...]:
 def derivatives(stroke: Reversed) -> tuple[Quantity, Quantity]:
     """s′ and s″ by the angle of the link."""
     of = {"link": stroke.link}
-    first = Message(N_("derivative of the stroke by the angle of link %(link)s"), of)
-    second = Message(N_("second derivative of the stroke by the angle of link %(link)s"), of)
+    first = Message(N_("derivative of the stroke with respect to the angle of link %(link)s"), of)
+    second = Message(N_("second derivative of the stroke with respect to the angle of link %(link)s"), of)
     return Quantity("stroke_s1", Symbol("s′"), "m", first), Quantity("stroke_s2", Symbol("s′′"), "m", second)
 
 

@@ -23,7 +23,7 @@ SLOPE = Quantity(
     "I_red_slope",
     Symbol("I'", RED),
     "kg·m²/rad",
-    Message(N_("derivative of the reduced moment of inertia by the angle of the driving link")),
+    Message(N_("derivative of the reduced moment of inertia with respect to the angle of the driving link")),
 )
 MOMENT = Quantity("M_red", M_RED, "N·m", Message(N_("reduced moment of the forces")))
 GRAPH = Quantity(
@@ -57,7 +57,9 @@ def share(load: Quantity) -> Quantity:
 def centre_ratio(point: str) -> Quantity:
     """Of a mass centre, read off a velocity plan."""
     meaning = Message(
-        N_("velocity of point %(name)s by the angular velocity of the driving link, off the plan"),
+        N_(
+            "ratio of the velocity of point %(name)s to the angular velocity of the driving link, by the plan"
+        ),
         {"name": point},
     )
     return Quantity(f"vq_{point}", Symbol("v", f"{point},q"), "m", meaning)
@@ -65,7 +67,8 @@ def centre_ratio(point: str) -> Quantity:
 
 def link_ratio(link: str, driver: str) -> Quantity:
     meaning = Message(
-        N_("angular velocity of link %(name)s by that of the driving link, off the plan"), {"name": link}
+        N_("ratio of the angular velocity of link %(name)s to that of the driving link, by the plan"),
+        {"name": link},
     )
     return Quantity(f"u_{link}_{driver}", Symbol("u", f"{link},{driver}"), "", meaning)
 

@@ -19,7 +19,10 @@ RED, DR = NP_("index", "red"), NP_("index", "dr")
 M_RED, F_RED = Symbol("m", RED), Symbol("F", RED)
 MASS = Quantity("m_red", M_RED, "kg", Message(N_("reduced mass")))
 SLOPE = Quantity(
-    "m_red_slope", Symbol("m'", RED), "kg/m", Message(N_("derivative of the reduced mass by the stroke"))
+    "m_red_slope",
+    Symbol("m'", RED),
+    "kg/m",
+    Message(N_("derivative of the reduced mass with respect to the stroke")),
 )
 FORCE = Quantity("F_red", F_RED, "N", Message(N_("reduced force")))
 NEEDED = Quantity(

@@ -30,7 +30,7 @@ def _order(letter: str, unit: str, text: str, order: int) -> Q:
     return Q(letter, unit, Message(text, {"order": order}))
 
 
-PRODUCT = N_("mass by radius of each rotor of order %(order)s for slider %(name)s")
+PRODUCT = N_("product of mass and radius of each rotor of order %(order)s for slider %(name)s")
 RADIUS = N_("radius of the rotors of order %(order)s")
 MASS = N_("mass of each rotor of order %(order)s")
 
@@ -40,8 +40,8 @@ class Slider(Sheet, prefix="slider"):
 
     r = Q("r", "m", N_("radius of the crank"))
     l = Q("l", "m", N_("length of the connecting rod"))
-    lam = Q("lambda", "", N_("crank radius by rod length"), key="lambda")
-    lambda_L = Q("lambda_L", "", N_("rod length by crank radius, λ of other lectures"))
+    lam = Q("lambda", "", N_("ratio of the crank radius to the rod length"), key="lambda")
+    lambda_L = Q("lambda_L", "", N_("ratio of the rod length to the crank radius, λ of other lectures"))
     offset = Q("e", "m", N_("offset of the crank's pivot from the line of point %(name)s"), "mm")
     m_B = Q("m", "kg", N_("mass that reciprocates with slider %(name)s"))
     U_I, U_II = _order("U_I", "kg·m", PRODUCT, 1), _order("U_II", "kg·m", PRODUCT, 2)
@@ -88,10 +88,12 @@ class Cases(Sheet):
     case = Q(None, "", N_("number of the way of balancing, 0: as it is"))
     F_max = Q("F_max", "N", N_("greatest shaking force"))
     F_max_at = Q("phi", "deg", N_("angle of turn at which it is reached"))
-    left = Q("delta", "", N_("greatest shaking force by that of the mechanism as it is"), "%")
+    left = Q("delta", "", N_("ratio of the greatest shaking force to that of the mechanism as it is"), "%")
     F_rms = Q(Symbol("F", RMS), "N", N_("root mean square of the shaking force"))
     M_max = Q("M_max", "N·m", N_("greatest shaking moment"))
-    M_left = Q("delta_M", "", N_("greatest shaking moment by that of the mechanism as it is"), "%")
+    M_left = Q(
+        "delta_M", "", N_("ratio of the greatest shaking moment to that of the mechanism as it is"), "%"
+    )
     M_rms = Q(Symbol("M", RMS), "N·m", N_("root mean square of the shaking moment"))
     m_total = Q("m_Sigma", "kg", N_("mass of all the counterweights"))
 
@@ -99,14 +101,16 @@ class Cases(Sheet):
 class Harmonics(Sheet):
     order = Q("k", "", N_("order: turns in a turn of the driving link"))
     F_with = Q("F_k", "N", N_("force that turns k times with the driving link"))
-    alpha_with = Q("alpha_k", "deg", N_("its angle with the x axis at position 0"))
+    alpha_with = Q("alpha_k", "deg", N_("angle of the vector of that order with the x axis at position 0"))
     F_against = Q("F_-k", "N", N_("force that turns k times against the driving link"))
-    alpha_against = Q("alpha_-k", "deg", N_("its angle with the x axis at position 0"))
+    alpha_against = Q(
+        "alpha_-k", "deg", N_("angle of the vector of that order with the x axis at position 0")
+    )
 
 
 class Rotors(Sheet):
     order = Q(None, "", N_("order: turns in a turn of the driving link"))
-    mr = Q("U", "kg·m", N_("mass by radius of a rotor"))
+    mr = Q("U", "kg·m", N_("product of mass and radius of a rotor"))
     alpha = Q("alpha", "deg", N_("angle of its mass from the x axis at position 0"))
     r = Q("r", "m", N_("radius of the mass of a rotor"), "mm")
     m = Q("m", "kg", N_("mass of a rotor"))
@@ -130,7 +134,7 @@ class MomentHarmonics(Sheet):
 class Couples(Sheet):
     order = Q("k", "", N_("order: turns in a turn of the driving link"))
     M = Q("M", "N·m", N_("amplitude of the moment of both weights"))
-    U = Q("U", "kg·m", N_("mass by radius of each weight"))
+    U = Q("U", "kg·m", N_("product of mass and radius of each weight"))
     alpha = Q("alpha", "deg", N_("angle of the weight farther along x from the x axis at position 0"))
     d = Q("d", "m", N_("distance between the axes of both weights"), "mm")
     r = Q("r", "m", N_("radius of the mass of a weight"), "mm")

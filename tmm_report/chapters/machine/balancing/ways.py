@@ -45,7 +45,7 @@ GREATEST = N_("The greatest over the cycle of the force in the table.")
 MASS = N_("The mass of the slider with what is attached to it, and the part of the rod that goes with it.")
 GIVEN = N_("The radius at which the rotors are stated to be, or the mass by that radius.")
 
-MOMENT_LEFT = N_("The greatest shaking moment by that of row 0.")
+MOMENT_LEFT = N_("The ratio of the greatest shaking moment to that of row 0.")
 WHEELS = N_(
     "The moments of inertia, none negative, that leave the least mean square of the shaking moment over the cycle."
 )
@@ -64,7 +64,7 @@ WAYS = (
         BALANCED,
         of="phi F_shake_{0} shaking_table.F_shake shaking_table.M_shake",
     ),
-    Way("balancing_cases.left", N_("The greatest shaking force by that of row 0."), of="F_max"),
+    Way("balancing_cases.left", N_("The ratio of the greatest shaking force to that of row 0."), of="F_max"),
     Way("balancing_cases.M_left", MOMENT_LEFT, of="M_max"),
     Way("geared_inertia.i antiphase_weights.d antiphase_weights.r", STATED),
     Way("geared_inertia.J", WHEELS, of="link i"),

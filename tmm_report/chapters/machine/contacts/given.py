@@ -176,7 +176,7 @@ class Pivot(Rough):
     inner: Annotated[Distance | None, Field(description="radius; left out, none")] = None
     ratio: Annotated[
         Annotated[float, quantity("number", 1e-6, 0.999999, "0 … 1")] | None,
-        Field(description="of the inner radius by the outer one, in place of inner", examples=[0.5]),
+        Field(description="of the inner radius to the outer one, in place of inner", examples=[0.5]),
     ] = None
     half_cone: Annotated[Angle, Field(description="half the angle of the cone; 90 deg: flat")] = pi / 2
     load: Annotated[float, quantity("force", 1e-12)]

@@ -117,7 +117,7 @@ class Pivot(Row):
     f = Number("f", "", N_("coefficient of friction"))
     R_outer = Number("R", "m", N_("outer radius"), "mm")
     r_inner = Number("r", "m", N_("inner radius"), "mm")
-    k = Number("k", "", N_("inner radius by the outer one"))
+    k = Number("k", "", N_("ratio of the inner radius to the outer one"))
     half_cone = Number("alpha", "deg", N_("half the angle of the cone"))
     n_surfaces = Number("n", "", N_("number of pairs of surfaces that rub"))
     n_collars = Number("z", "", N_("number of collars"))

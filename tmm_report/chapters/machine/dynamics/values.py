@@ -57,11 +57,13 @@ class Motion(Sheet):
     J_slope = Q(
         "J'",
         "kg·m²/rad",
-        N_("derivative of the moment of inertia of the machine by the angle of the main shaft"),
+        N_("derivative of the moment of inertia of the machine with respect to the angle of the main shaft"),
     )
     A = Q("A", "J", N_("work of the excess moment from position 0"))
     V = Q("V", "J", N_("potential energy of the weights and springs"))
-    V_slope = Q("V'", "N·m", N_("derivative of the potential energy by the angle of the main shaft"))
+    V_slope = Q(
+        "V'", "N·m", N_("derivative of the potential energy with respect to the angle of the main shaft")
+    )
 
 
 GENERALISED = Q("Q", "N·m", N_("generalised force, the moment of all that has no potential"))
@@ -84,14 +86,14 @@ class Parts(Sheet):
     """Of the parts, a row each: the index of a symbol ends with the number of the part."""
 
     i = Q("i", "", N_("ratio of the speed of the shaft to that of the main shaft"))
-    eta = Q("eta", "", N_("efficiency of the gears between it and the main shaft"))
+    eta = Q("eta", "", N_("efficiency of the gears between the part and the main shaft"))
     J = Q("J", "kg·m²", N_("moment of inertia of the shaft with what is on it"))
     M = Q("M", "N·m", N_("moment that resists the shaft"))
     m = Q("m", "kg", N_("mass that moves along"))
-    r = Q("r", "m", N_("velocity of the mass by the speed of the main shaft"))
+    r = Q("r", "m", N_("ratio of the velocity of the mass to the speed of the main shaft"))
     F = Q("F", "N", N_("force that resists the mass; below zero it drives"))
-    J_red = Q("J_red", "kg·m²", N_("its part in the moment of inertia on the main shaft"))
-    M_red = Q("M_red", "N·m", N_("its part in the resisting moment on the main shaft"))
+    J_red = Q("J_red", "kg·m²", N_("share of the part in the moment of inertia on the main shaft"))
+    M_red = Q("M_red", "N·m", N_("share of the part in the resisting moment on the main shaft"))
 
 
 class Works(Sheet):
@@ -183,7 +185,7 @@ class Values(Sheet, prefix="dynamics"):
 OF_GEARED = {"M_motor": Q("M_own", "N·m", N_("constant moment of the motor"))}
 OF_INDUCTION = {
     "omega_0": Q("omega_0", "rad/s", N_("synchronous speed of the motor")),
-    "a": Q("a", "", N_("resistance of the stator by that of the rotor")),
+    "a": Q("a", "", N_("ratio of the resistance of the stator to that of the rotor")),
 }
 
 

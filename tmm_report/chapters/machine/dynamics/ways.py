@@ -50,7 +50,9 @@ RESISTS = N_(
     "From the equality of powers: M i of what turns, F r of what moves along; the efficiency by "
     "the flow of power."
 )
-ARM = N_("The velocity of the mass by the speed of the main shaft: by the drum or wheel and the ratio.")
+ARM = N_(
+    "The ratio of the velocity of the mass to the speed of the main shaft: by the drum or wheel and the ratio."
+)
 NOMINAL = N_(
     "By the nominal data of the motor that the variant states, so that its characteristic "
     "passes through them."
@@ -60,7 +62,7 @@ RUBBING = N_(
     "rotation, and the resistances of the main shaft."
 )
 RUBBED = N_("The mean of the moment of friction over the cycle by the speed of the driving link.")
-SHARE = N_("The mean power of friction by that of all that drives.")
+SHARE = N_("The ratio of the mean power of friction to that of all that drives.")
 LOST = N_(
     "Of each part whose gears have an efficiency what its branch takes with the acceleration, by the flow of power, "
     "less what it takes at a constant speed and its moment of inertia by the acceleration."

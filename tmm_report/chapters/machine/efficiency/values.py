@@ -31,7 +31,7 @@ class Parts(Sheet):
     P_in = Q("P_in", "W", N_("power at the input"), "kW")
     P_out = Q("P_out", "W", N_("power at the output"), "kW")
     P_lost = Q("P_lost", "W", N_("power lost"), "kW")
-    kappa = Q("kappa", "", N_("derivative of the efficiency of the whole by that of the part"))
+    kappa = Q("kappa", "", N_("derivative of the efficiency of the whole with respect to that of the part"))
 
 
 def unstated(declared: type[Sheet]) -> dict[str, Q]:

@@ -26,7 +26,9 @@ WAYS = (
     Way("efficiency_parts.share efficiency_parts.output_share", SHARE, of="name kind eta"),
     Way(
         "efficiency_parts.kappa",
-        N_("The derivative of the whole's efficiency by the part's, by the chain rule along the tree."),
+        N_(
+            "The derivative of the whole's efficiency with respect to the part's, by the chain rule along the tree."
+        ),
         of="eta",
     ),
     Way("P_in_whole", by=lambda q: q("P_out_whole") / q("eta_whole")),

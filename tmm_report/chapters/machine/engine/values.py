@@ -80,9 +80,9 @@ class Weights(Sheet):
     """Products: of forces in kg·m, of moments in kg·m²."""
 
     forward = Q("D^+", "", N_("product of the weight that turns with the crankshaft"))
-    forward_angle = Q("alpha^+", "deg", N_("its angle from x at angle 0"))
+    forward_angle = Q("alpha^+", "deg", N_("angle of the vector of that order from x at angle 0"))
     backward = Q("D^-", "", N_("product of the weight that turns against the crankshaft"))
-    backward_angle = Q("alpha^-", "deg", N_("its angle from x at angle 0"))
+    backward_angle = Q("alpha^-", "deg", N_("angle of the vector of that order from x at angle 0"))
 
 
 class Firing(Sheet):

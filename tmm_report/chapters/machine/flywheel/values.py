@@ -81,8 +81,8 @@ class Values(Sheet, prefix="flywheel"):
     D = Q("D", "m", N_("diameter of the flywheel, of a rim the mean one"))
     b = Q("b", "m", N_("width of the flywheel"))
     h = Q("h", "m", N_("height of the rim's section"))
-    k_h = Q("k_h", "", N_("height of the rim's section to its diameter"))
-    k_b = Q("k_b", "", N_("width of the disc to its diameter"))
+    k_h = Q("k_h", "", N_("ratio of the height of the rim's section to the diameter of the rim"))
+    k_b = Q("k_b", "", N_("ratio of the width of the disc to its diameter"))
     k_s = Q("k_s", "", N_("part of the moment of inertia in spokes and hub"))
     D_out = Q("D_outer", "m", N_("outer diameter of the flywheel"))
     rho = Q("rho", "kg/m³", N_("density of the material"))
@@ -101,7 +101,7 @@ CLOSING = {  # M_m by the side that was found as the moment that closes the cycl
 }
 OF_RIM = {
     "m": Q("m", "kg", N_("mass of the flywheel without spokes and hub")),
-    "k_b": Q("k_b", "", N_("width of the rim's section to its height")),
+    "k_b": Q("k_b", "", N_("ratio of the width of the rim's section to its height")),
 }
 
 

@@ -19,7 +19,7 @@ MOTION = N_(
     "By the energy at the angle with the flywheel: J ω²/2 at the beginning and the work of the excess moment."
 )
 BEFORE = N_("By the energy at the angle without the flywheel, at the same mean speed.")
-MEAN = N_("The mean over the cycle: the integral by the angle, by the angle of the cycle.")
+MEAN = N_("The mean over the cycle: the integral over the angle, divided by the angle of the cycle.")
 EXTREME = N_("Over the whole cycle, between the positions of the table too.")
 METHOD = N_(
     "What the method of the row takes for the positions of the greatest and the least speed, by its own rule."
@@ -33,7 +33,7 @@ SIZES = N_(
     "By the moment of inertia on the flywheel's shaft and the stated shape; stated proportions "
     "are taken as they are."
 )
-SPEED = N_("The greatest angular velocity of the main link by the ratio of the speeds.")
+SPEED = N_("The greatest angular velocity of the main link times the ratio of the speeds.")
 USUAL = N_("From the table of usual coefficients for machines of the kind.")
 CLOSES = N_(
     "The mean excess moment by the mean driving moment: what is left is rounding, or the "
@@ -48,7 +48,7 @@ RUBBING = N_(
     "rotation."
 )
 RUBBED = N_("The mean of the moment of friction over the cycle by the speed of the driving link.")
-SHARE = N_("The mean power of friction by that of all that drives.")
+SHARE = N_("The ratio of the mean power of friction to that of all that drives.")
 NEEDED = N_("The mean power of the cycle, over the efficiency of the gear of the motor.")
 
 

@@ -111,7 +111,7 @@ def small(found: LoopFound) -> list[Relation]:
     rows = [
         Relation(rate("phi"), _driven(found, of) - s.D / s.J * of["phi"]),
         Relation(rate("eta"), of["vartheta"]),
-        Relation(rate("theta"), lift),
+        Relation(rate("psi"), lift),
     ]
     if "xi" in of:
         shift = (of["eta"] + of["xi"]) / s.T_s

@@ -179,7 +179,9 @@ class Plant:
     """The machine that is governed."""
 
     inertia: PositiveInertia
-    ratio: Annotated[Scale, Field(description="speed of the governor's shaft by that of the machine")] = 1.0
+    ratio: Annotated[
+        Scale, Field(description="ratio of the speed of the governor's shaft to that of the machine")
+    ] = 1.0
     torque: Torque = field(kw_only=True)
     load: Load = field(kw_only=True)
     throttle: Throttle = Throttle()

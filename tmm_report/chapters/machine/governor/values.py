@@ -62,7 +62,7 @@ class Values(Sheet, prefix="governor"):
 
     # the machine with its governor
     J = Q("J", "kg·m²", N_("moment of inertia of the machine"))
-    i = Q("i", "", N_("speed of the governor's shaft by that of the machine"))
+    i = Q("i", "", N_("ratio of the speed of the governor's shaft to that of the machine"))
     omega_mean = Q("omega_m", "rad/s", N_("mean speed of the machine"))
     M_mean = Q("M_m", "N·m", N_("moment of the drive at full supply and mean speed"))
     k_d = Q("k_d", "N·m·s/rad", N_("fall of the moment of the drive with the speed"))
@@ -81,9 +81,11 @@ class Values(Sheet, prefix="governor"):
     after_S = Q("S", "N/m", N_("factor of stability in the steady state"))
     after_m = Q("m_red", "kg", N_("mass of the governor reduced to the sleeve"))
     D = Q("D", "N·m·s/rad", N_("self-regulation of the machine"))
-    R = Q("R", "N·s/rad", N_("force on the sleeve by the speed of the machine"))
+    R = Q(
+        "R", "N·s/rad", N_("derivative of the force on the sleeve with respect to the speed of the machine")
+    )
     slowest = Q("lambda_max", "rad/s", N_("greatest real part of the eigenvalues"))
-    Q_s = Q("Q_s", "N", N_("fall of the driving moment by the lift"))
+    Q_s = Q("Q_s", "N", N_("fall of the driving moment per unit of lift"))
     a_0 = Q("a_0", "kg²·m²", COEFFICIENT)
     a_1 = Q("a_1", "kg²·m²/s", COEFFICIENT)
     a_2 = Q("a_2", "kg²·m²/s²", COEFFICIENT)
@@ -160,18 +162,18 @@ class Places(Sheet):
     z = Q("z", "m", N_("lift of the sleeve"), "mm")
     H = Q("H", "m", N_("height of the upper pivots over those of the sleeve"), "mm")
     x = Q("x", "m", N_("radius of the pin of both arms"), "mm")
-    dx = Q("x'", "", N_("derivative of the radius of the pin by the lift"))
+    dx = Q("x'", "", N_("derivative of the radius of the pin with respect to the lift"))
     alpha = Q("alpha", "rad", N_("angle of the upper arm with the axis"), "deg")
     beta = Q("beta", "rad", N_("angle of the lower arm with the axis"), "deg")
     gamma = Q("gamma", "rad", N_("angle of the extension of the lower arm with the axis"), "deg")
     theta = Q("theta", "rad", N_("angle of the ball arm with the axis"), "deg")
     r = Q("r", "m", N_("radius of the mass centre of a ball"), "mm")
-    dr = Q("r'", "", N_("derivative of the radius of a ball by the lift"))
-    dy = Q("y'", "", N_("derivative of the height of a ball by the lift"))
+    dr = Q("r'", "", N_("derivative of the radius of a ball with respect to the lift"))
+    dy = Q("y'", "", N_("derivative of the height of a ball with respect to the lift"))
     A = Q("A", "kg·m", N_("inertial coefficient of the governor"))
     E = Q("E", "N", N_("supporting force on the sleeve"))
-    dA = Q("A'", "kg", N_("derivative of the inertial coefficient by the lift"))
-    dE = Q("E'", "N/m", N_("derivative of the supporting force by the lift"))
+    dA = Q("A'", "kg", N_("derivative of the inertial coefficient with respect to the lift"))
+    dE = Q("E'", "N/m", N_("derivative of the supporting force with respect to the lift"))
     omega_g = Q("omega_g", "rad/s", N_("speed of the governor's shaft in equilibrium"))
     C = Q("C", "N", N_("controlling force of one ball"))
     S = Q("S", "N/m", N_("factor of stability of the governor"))
@@ -196,7 +198,7 @@ class Motion(Sheet):
         N_("deviation of the speed of the machine from that before the step, by the small motions"),
     )
     z = Q("z", "m", N_("lift of the sleeve"), "mm")
-    s = Q("s", "", N_("supply of the machine, of the full one"))
+    s = Q("s", "", N_("supply of the machine, as a fraction of the full one"))
     x = Q("x", "m", N_("shift of the valve by the isodromic feedback"))
 
 
@@ -205,7 +207,7 @@ class States(Sheet):
 
     phi = Q("phi", "", N_("relative deviation of the speed of the machine"))
     eta = Q("eta", "", N_("relative deviation of the sleeve"))
-    vartheta = Q("theta", "", N_("rate of the relative deviation of the sleeve"))
+    vartheta = Q("psi", "", N_("rate of the relative deviation of the sleeve"))
     sigma = Q("sigma", "", N_("deviation of the supply"))
     xi = Q("xi", "", N_("relative shift of the valve by the isodromic feedback"))
 

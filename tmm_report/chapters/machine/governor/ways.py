@@ -6,7 +6,9 @@ from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr
 from tmm_report.quantity.ways import AXIS, COUNTED, NAME, STATED, Known, Way
 
-LIFT = N_("By the geometry of the arms at the lift of the row; its derivatives by the lift in closed form.")
+LIFT = N_(
+    "By the geometry of the arms at the lift of the row; its derivatives with respect to the lift in closed form."
+)
 EQUILIBRIUM = N_("Equilibrium of the sleeve: the supporting force by the inertial coefficient, ω² = E/A.")
 RESPONSE = N_(
     "The equations of motion of the machine, the sleeve and the servomotor after the step, "
@@ -25,7 +27,7 @@ PEAK = N_("Sought in the response between its samples, too.")
 LIMIT = N_("The least of all lifts at which the factor of stability is zero.")
 AFTER = N_("At the steady state after the step.")
 START = N_("By the geometry of the arms at the lower stop.")
-SPRING = N_("The force at the lower stop and the stiffness by the lift.")
+SPRING = N_("The force at the lower stop and the stiffness times the lift.")
 STOPS = N_("The lift between the stops: stated, or by the geometry of the arms at both.")
 MIDLIFT = N_("Stated, or the middle of the lift.")
 MACHINE = N_("Stated, or that of the driving link, or the mean of the governor by the ratio.")

@@ -71,10 +71,10 @@ def _masses(written: Given) -> Iterator[Problem]:
 def _planes(written: Given) -> Iterator[Problem]:
     for k, plane in enumerate(written.planes):
         if (plane.radius is None) == (plane.mass is None):
-            text = N_("a plane of correction states the radius of its weight or its mass, the other is found")
+            text = N_("a correction plane states the radius of its weight or its mass, the other is found")
             yield mistake(text, (*PATH, "planes", k), Message(N_("radius: 120 mm, or mass: 0.4 kg")))
     if len(written.planes) == 2 and abs(written.planes[0].at - written.planes[1].at) < NEAR:
-        text = N_("both planes of correction stand at one place: forces in one plane balance no couple")
+        text = N_("both correction planes stand at one place: forces in one plane balance no couple")
         yield mistake(text, (*PATH, "planes", 1, "at"), Message(N_("two different places along the shaft")))
 
 

@@ -135,7 +135,7 @@ class Body:
 
 @dataclass(frozen=True)
 class Plane:
-    """A plane of correction: the weight's radius or its mass."""
+    """A correction plane: the weight's radius or its mass."""
 
     at: Length = 0.0
     radius: Annotated[Positive | None, Field(description="the mass is found", examples=["120 mm"])] = None

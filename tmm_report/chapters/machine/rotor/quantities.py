@@ -84,7 +84,7 @@ def _corrections(found: Found) -> Iterator[Column]:
     names = [one.name for one in rows]
     products = np.array([one.product for one in rows])
     needed = np.array([1.0 if one.product else NONE for one in rows])
-    yield text_column("plane", Message(N_("plane of correction")), names)
+    yield text_column("plane", Message(N_("correction plane")), names)
     yield _named(Weights.z, names, [one.at for one in rows])
     yield _named(Weights.D_x, names, np.real(products))
     yield _named(Weights.D_y, names, np.imag(products))

@@ -179,7 +179,7 @@ class Found:
 
     @property
     def couple_stays(self) -> bool:
-        """Whether one plane of correction is stated and a moment is left."""
+        """Whether one correction plane is stated and a moment is left."""
         return not self.two and abs(self.exact[1]) > rotor.CLEAR * self.size * self.length
 
     def summary(self) -> Iterator[Message]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tmm_report.i18n import NP_
-from tmm_report.problems import N_, Message
+from tmm_report.problems import N_
 from tmm_report.quantity.sheet import Q, Sheet
 
 PER = NP_("index", "lim")  # permissible
@@ -23,7 +23,7 @@ class Values(Sheet, prefix="rotor"):
     L = Q(
         "L",
         "m",
-        N_("distance between the planes of correction, negative where plane II stands before plane I"),
+        N_("distance between the correction planes, negative where plane II stands before plane I"),
     )
     L_AB = Q("L_AB", "m", N_("distance between the bearings"))
     omega = Q("omega", "rad/s", N_("angular velocity of the rotor"))
@@ -31,10 +31,10 @@ class Values(Sheet, prefix="rotor"):
     e = Q("e", "m", N_("distance of the mass centre of the rotor from its axis"))
     mu_D = Q("mu_D", "kg·m/mm", N_("scale of the polygon of the unbalances"))
     closing_D = Q("d_I", "mm", N_("length of the vector that closes the polygon of the unbalances"))
-    read_D = Q("alpha_I", "deg", N_("its angle read off the polygon of the unbalances"))
+    read_D = Q("alpha_I", "deg", N_("angle of that closing vector, read off the polygon of the unbalances"))
     mu_M = Q("mu_M", "kg·m²/mm", N_("scale of the polygon of the moments"))
     closing_M = Q("d_M,II", "mm", N_("length of the vector that closes the polygon of the moments"))
-    read_M = Q("alpha_II", "deg", N_("its angle read off the polygon of the moments"))
+    read_M = Q("alpha_II", "deg", N_("angle of that closing vector, read off the polygon of the moments"))
     laid_II = Q("d_II", "mm", N_("length of the product of plane II in the polygon of the unbalances"))
     left_D = Q("D'_Sigma", "kg·m", N_("sum of the unbalances with the weights as they are made"))
     left_M = Q("M'_Sigma", "kg·m²", N_("sum of the moments about plane I with the weights as they are made"))
@@ -45,7 +45,7 @@ class Values(Sheet, prefix="rotor"):
     G = Q("G", "mm/s", N_("balance quality grade, product of permissible eccentricity and angular velocity"))
     D_per = Q(f"D_{PER}", "kg·m", N_("permissible unbalance of the rotor"))
     centre = Q("z_S", "m", N_("place of the mass centre along the shaft"))
-    ratio = Q("lambda", "", N_("width of the rotor by its diameter"))
+    ratio = Q("lambda", "", N_("ratio of the width of the rotor to its diameter"))
     one_plane = Q("omega_1", "rad/s", N_("angular velocity up to which balance in one plane suffices"))
 
 
@@ -81,20 +81,15 @@ class Weights(Sheet):
     beta_made = Q("beta'", "deg", N_("angle of the weight as it is made"))
 
 
-BEFORE, MADE = Message(N_("before balancing")), Message(N_("with the weights as they are made"))
-FELT = N_("unbalance in the plane of the bearing: %(when)s")
-FORCE = N_("force of the unbalance on the bearing: %(when)s")
-
-
 class Bearings(Sheet):
     """Of the bearings A and B."""
 
     z = Masses.z
     D_x = Q("D^x", "kg·m", N_("unbalance in the plane of the bearing before balancing, component along x"))
     D_y = Q("D^y", "kg·m", N_("unbalance in the plane of the bearing before balancing, component along y"))
-    D_before = Q("D", "kg·m", Message(FELT, {"when": BEFORE}))
-    R_before = Q("R", "N", Message(FORCE, {"when": BEFORE}))
-    D_made = Q("D'", "kg·m", Message(FELT, {"when": MADE}))
-    R_made = Q("R'", "N", Message(FORCE, {"when": MADE}))
+    D_before = Q("D", "kg·m", N_("unbalance in the plane of the bearing before balancing"))
+    R_before = Q("R", "N", N_("force of the unbalance on the bearing before balancing"))
+    D_made = Q("D'", "kg·m", N_("unbalance in the plane of the bearing with the weights as they are made"))
+    R_made = Q("R'", "N", N_("force of the unbalance on the bearing with the weights as they are made"))
     psi = Q("psi", "deg", N_("angle of the force before balancing from x"))
     D_per = Q(f"D_{PER}", "kg·m", N_("permissible unbalance in the plane of the bearing"))

@@ -102,8 +102,8 @@ class RotorView(ChapterView):
         return self.t(text, ratio=ratio, limit=limit)
 
     def staying(self) -> Markup | None:
-        """What one plane of correction leaves; None where it leaves nothing, or there are two."""
-        text = N_("In one plane of correction the force is balanced, the moment %(moment)s about it stays.")
+        """What one correction plane leaves; None where it leaves nothing, or there are two."""
+        text = N_("In one correction plane the force is balanced, the moment %(moment)s about it stays.")
         return self.t(text, moment=self.sized("M")) if self.found.couple_stays else None
 
     # ------------------------------------------------------------ tables

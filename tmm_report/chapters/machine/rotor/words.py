@@ -26,9 +26,7 @@ LIMITED = {
         "With the weights as they are made a bearing carries more than is permitted: the weights must be made more "
         "finely."
     ),
-    "none": N_(
-        "With one plane of correction a bearing carries more than is permitted: two planes are needed."
-    ),
+    "none": N_("With one correction plane a bearing carries more than is permitted: two planes are needed."),
 }
 """By what is within the limits: the weights as they are made, the exact ones, neither."""
 

@@ -66,8 +66,8 @@ class Fitted:
 
 @dataclass(frozen=True, eq=False)
 class Absorbed:
-    """`mu`: mass of the absorber by that of the machine; `natural`: both frequencies with the tuned one, rad/s;
-    `fitted`: tuned, with the best damping, the damper without a spring."""
+    """`mu`: ratio of the mass of the absorber to that of the machine; `natural`: both frequencies with the tuned one,
+    rad/s; `fitted`: tuned, with the best damping, the damper without a spring."""
 
     mu: float
     natural: tuple[float, float]

@@ -47,9 +47,9 @@ class Values(Sheet, prefix="vibration"):
     C2 = Q("C_2", "m", N_("constant of the free motion, by the velocity at the start"))
     eta = Q("eta", "", N_("ratio of the frequency of the excitation to the natural one"))
     static = Q("x_st", "m", N_("deflection under the force at rest"))
-    beta = Q("beta", "", N_("magnification factor, amplitude by the static deflection"))
+    beta = Q("beta", "", N_("magnification factor, ratio of the amplitude to the static deflection"))
     lag = Q("psi", "rad", N_("angle by which the motion lags behind the force"), "deg")
-    ratio = Q("gamma_F", "", N_("transmissibility: force on the base by the exciting force"))
+    ratio = Q("gamma_F", "", N_("transmissibility, ratio of the force on the base to the exciting force"))
     ratio_z = Q("gamma_z", "", N_("ratio of the amplitudes of the machine and of the moving base"))
     amplitude = Q("A", "m", N_("amplitude of the machine"), "mm")
     on_base = Q("F_base", "N", N_("amplitude of the force on the base"))
@@ -83,8 +83,8 @@ class Values(Sheet, prefix="vibration"):
     pair_machine = Q("A_1", "m", N_("amplitude of the machine on the base that gives way"), "mm")
     pair_base = Q("A_base", "m", N_("amplitude of the base"), "mm")
     gamma = Q("gamma", "", N_("ratio of the amplitudes of the machine and of its base"))
-    gamma_ground = Q("gamma_footing", "", N_("force on the ground by the exciting force"))
-    mu = Q("mu", "", N_("mass of the absorber by that of the machine"))
+    gamma_ground = Q("gamma_footing", "", N_("ratio of the force on the ground to the exciting force"))
+    mu = Q("mu", "", N_("ratio of the mass of the absorber to that of the machine"))
     absorber = Q("m_a", "kg", N_("mass of the absorber"))
     absorber_stiffness = Q("c_a", "N/m", N_("stiffness of the absorber's springs"), "kN/m")
     absorber_springs = Q("i_a", "", N_("number of springs of the absorber"))
@@ -164,7 +164,7 @@ def _turned(key: str, of: Q) -> Q:
 TURNING = {
     key: _turned(key, of) for key, of in Values.DECLARED.items() if of.unit in UNITS and key not in STRAIGHT
 }
-TURNING["mu"] = Q("mu", "", N_("moment of inertia of the absorber by that of the disc"))
+TURNING["mu"] = Q("mu", "", N_("ratio of the moment of inertia of the absorber to that of the disc"))
 OF_BASE = {  # what a moving base calls otherwise
     "lag": Q("psi", "rad", N_("angle by which the motion lags behind that of the base"), "deg"),
     "wanted": Q("gamma_want", "", N_("ratio of the amplitudes wanted")),

@@ -31,6 +31,8 @@ CAUSES = ("force", "couple")
 SIDES = ("guide", "slider")
 WORDS = {"lower": N_("lower"), "upper": N_("upper")}
 UPRIGHT = {"lower": N_("right-hand"), "upper": N_("left-hand")}
+FACED = {"lower": N_("lower face"), "upper": N_("upper face")}  # within a sentence
+UPRIGHT_FACED = {"lower": N_("right-hand face"), "upper": N_("left-hand face")}
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,6 +141,10 @@ class GuideFound:
     def word(self, face: str) -> str:
         """What a face is called."""
         return (UPRIGHT if self.upright else WORDS)[face]
+
+    def faced(self, face: str) -> str:
+        """A face within a sentence."""
+        return (UPRIGHT_FACED if self.upright else FACED)[face]
 
     @property
     def worst(self) -> Surface:

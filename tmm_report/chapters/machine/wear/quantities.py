@@ -119,7 +119,7 @@ def _sole(found: GuideFound) -> Iterator[Column]:
 def _depths(found: GuideFound, side: str) -> Iterator[Column]:
     """Of both faces: sums, wear without skew, and with it."""
     for face in FACES:
-        one, word = found.surface(side, face), Message(found.word(face))
+        one, word = found.surface(side, face), Message(found.faced(face))
         number = one.symbol.sub
         for letter, of, lines in (("W", "work", one.work), ("u", "u", one.parts)):
             for cause, line in zip(CAUSES, lines, strict=True):

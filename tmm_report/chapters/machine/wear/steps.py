@@ -28,7 +28,7 @@ def guide(s: Guide, found: GuideFound) -> None:
     s.covered, s.positions, s.cycles = grid.covered, len(found.force), given.cycles
     s.greatest, s.repair, s.even = found.worst.greatest, grid.x[worst.worst], found.even
     if found.even:
-        of = depth(worst, Message(found.word(worst.face))).quantity
+        of = depth(worst, Message(found.faced(worst.face))).quantity
         deepest = InRow(of, worst.greatest, table=f"{s.PREFIX}profile", row=worst.worst)
         s.uneven = deepest.var("µm") / s.even
     s.shift, s.tilt = map(_largest, found.settled)

@@ -29,7 +29,7 @@ class Guide(Sheet):
     greatest = Q("u_max", "m", N_("greatest wear"), "µm", formed="µm")
     repair = Q("x_rep", "m", N_("place of the guide worn most, from its beginning"), "mm")
     even = Q("u_unif", "m", N_("wear of that face of the guide if it wore evenly"), "µm", formed="µm")
-    uneven = Q("kappa", "", N_("unevenness: greatest wear of that face by the even one"))
+    uneven = Q("kappa", "", N_("unevenness, ratio of the greatest wear of that face to the even one"))
     shift = Q("delta_max", "m", N_("greatest displacement of the slider across the guide"), "µm")
     tilt = Q("theta_max", "rad", N_("greatest tilt of the slider"), "deg")
     rate = Q("gamma", "µm/h", N_("rate of steady wear where it is greatest"))
@@ -48,7 +48,7 @@ class Surfaces(Sheet):
 
     pressure = Q("p", "Pa", N_("mean pressure"), "MPa")
     k = Q("k", K_UNIT, N_("coefficient of wear"))
-    c = Q("c", "µm/(N·m)", N_("wear of a point by its sum"))
+    c = Q("c", "µm/(N·m)", N_("wear of a point per unit of its sum"))
     work = Q("W_max", "N·m", N_("greatest sum of a point"))
     rubbed = Q("W", "N·m", N_("sum over all the points"))
     depth = Q("u_max", "m", N_("greatest wear"), "µm")
@@ -63,7 +63,7 @@ class Profile(Sheet):
     resistance = Q(
         "epsilon", "", N_("relative wear resistance with which the face worn most would wear evenly")
     )
-    even = Q("u_unif", "m", N_("its wear then"), "µm")
+    even = Q("u_unif", "m", N_("wear of that face if it wore evenly"), "µm")
 
 
 class Sole(Sheet):
@@ -76,11 +76,11 @@ class Sole(Sheet):
 class Depths(Sheet):
     """Of a face, along the guide or the slider."""
 
-    work_force = Q("W", "N·m", N_("sum of the central reaction, %(face)s face"))
-    work_couple = Q("W", "N·m", N_("sum of its moment, %(face)s face"))
-    u_force = Q("u", "m", N_("wear by the central reaction, %(face)s face"), "µm")
-    u_couple = Q("u", "m", N_("wear by its moment, %(face)s face"), "µm")
-    u = Q("u", "m", N_("wear of the %(face)s face"), "µm")
+    work_force = Q("W", "N·m", N_("sum of the central reaction, %(face)s"))
+    work_couple = Q("W", "N·m", N_("sum of the moment of the reaction, %(face)s"))
+    u_force = Q("u", "m", N_("wear by the central reaction, %(face)s"), "µm")
+    u_couple = Q("u", "m", N_("wear by the moment of the reaction, %(face)s"), "µm")
+    u = Q("u", "m", N_("wear of the %(face)s"), "µm")
 
 
 class Cycle(Sheet):
@@ -116,8 +116,8 @@ class Pivot(Sheet):
     positions = Q("P", "", N_("positions of the cycle over which it is summed"))
     cycles = Q("N_c", "", N_("number of cycles"))
     pressure = Q("p", "Pa", N_("mean pressure on the projection of the journal"), "MPa")
-    rubbed = Q("W", "N·m", N_("sum of reaction by path over a cycle"), formed="kN·m")
-    spread = Q("lambda", "", N_("sum of the pressures by the reaction"))
+    rubbed = Q("W", "N·m", N_("sum of the products of reaction and path over a cycle"), formed="kN·m")
+    spread = Q("lambda", "", N_("ratio of the sum of the pressures to the reaction"))
     greatest = Q("u_max", "m", N_("greatest wear"), "µm")
     limit = Q("u_bound", "m", N_("limit of the wear"))
     life_cycles = Q("N_bound", "", N_("cycles until the limit of the wear"))
@@ -127,7 +127,7 @@ class Members(Sheet):
     """Columns of journal and bushing; their symbols have the numbers of the rows."""
 
     k = Q("k", K_UNIT, N_("coefficient of wear"))
-    path = Q("w_max", "MPa·m", N_("greatest sum of pressure by path"))
+    path = Q("w_max", "MPa·m", N_("greatest sum of the products of pressure and path"))
     depth = Q("u_max", "m", N_("greatest wear"), "µm")
     angle = Q("alpha_max", "rad", N_("angle of that sector from the x axis of the link"), "deg")
     volume = Q("V", "m³", N_("volume worn off"), "mm³")
@@ -138,5 +138,5 @@ class Sectors(Sheet):
     """Along the circumference."""
 
     alpha = Q("alpha", "rad", N_("angle of the sector's middle"))
-    path = Q("w", "MPa·m", N_("sum of pressure by path, %(member)s"))
+    path = Q("w", "MPa·m", N_("sum of the products of pressure and path, %(member)s"))
     u = Q("u", "m", N_("wear, %(member)s"))

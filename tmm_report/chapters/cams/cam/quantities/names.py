@@ -39,12 +39,16 @@ def displacement(found: CamFound) -> Quantity:
 
 
 def first(found: CamFound) -> Quantity:
-    text = N_("first derivative of the displacement of follower %(follower)s by the angle of cam %(cam)s")
+    text = N_(
+        "first derivative of the displacement of follower %(follower)s with respect to the angle of cam %(cam)s"
+    )
     return of(found, "cam_S1", Symbol(letter(found) + "′"), unit(found) if found.slides else "", text)
 
 
 def second(found: CamFound) -> Quantity:
-    text = N_("second derivative of the displacement of follower %(follower)s by the angle of cam %(cam)s")
+    text = N_(
+        "second derivative of the displacement of follower %(follower)s with respect to the angle of cam %(cam)s"
+    )
     return of(found, "cam_S2", Symbol(letter(found) + "′′"), unit(found) if found.slides else "", text)
 
 

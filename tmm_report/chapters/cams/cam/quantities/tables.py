@@ -76,7 +76,7 @@ LEAST = Message(N_("what the permitted pressure angles ask of the size of the ca
 HOLDING = Message(N_("what holds the axis of the smallest cam at the best distance of the pivots"))
 AT = Quantity("theta", Symbol("theta"), "deg", Message(N_("angle of the cam from the beginning of its law")))
 ASKED_SLOPE_MEANING = Message(
-    N_("first derivative of the displacement by the angle of the cam at the same place")
+    N_("first derivative of the displacement with respect to the angle of the cam at the same place")
 )
 ASKED_BEND = Quantity("S2", Symbol("s′′"), "m", Message(N_("its second derivative there")))
 
@@ -98,7 +98,9 @@ BEGINS = Quantity(
 )
 WIDTH = Quantity("width", Symbol("Deltatau", "i"), "", Message(N_("share of the phase that the piece takes")))
 REACHED = Quantity("f", Symbol("f", "i"), "", Message(N_("share of the lift reached where the piece begins")))
-SLOPE = Quantity("f1", Symbol("f′", "i"), "", Message(N_("first derivative of that share by τ there")))
+SLOPE = Quantity(
+    "f1", Symbol("f′", "i"), "", Message(N_("first derivative of that share with respect to τ there"))
+)
 BEND = Quantity("f2", Symbol("f′′", "i"), "", Message(N_("second derivative where the piece begins")))
 NEXT = Quantity("f2_end", Symbol("f′′", "i+1"), "", Message(N_("second derivative where the piece ends")))
 

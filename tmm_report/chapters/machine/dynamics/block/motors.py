@@ -110,7 +110,8 @@ class InductionModel(Model):
     max_moment: PositiveMoment | None = Field(default=None, description="greatest moment")
     critical_slip: Scale | None = Field(default=None, description="slip at which it is reached")
     stator: StatorShare | None = Field(
-        default=None, description="resistance of the stator by that of the rotor; left out, 0: simplified"
+        default=None,
+        description="ratio of the resistance of the stator to that of the rotor; left out, 0: simplified",
     )
 
     @model_validator(mode="after")

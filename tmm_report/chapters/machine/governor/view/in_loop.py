@@ -214,7 +214,7 @@ class LoopView(ChapterView):
         lines = [self.t(stable) if self.found.stable else Failed(self.t(unstable))]
         if self.found.stable:
             key = "final" if self.found.short else "static"
-            peak = self.number("peak")
+            peak = self.number("peak", size=True)
             if abs(self.s.number(key)) < ROUNDING:
                 text = N_(
                     "After the step of the load the speed of the machine deviates by %(peak)s %% at most and returns "
@@ -222,7 +222,7 @@ class LoopView(ChapterView):
                 )
                 lines.append(self.t(text, peak=peak))
             else:
-                lines.append(self.t(text, peak=peak, static=self.number(key, "%")))
+                lines.append(self.t(text, peak=peak, static=self.number(key, "%", size=True)))
         if self.found.servo is None and self.found.too_heavy:
             text = N_("The sleeve alone cannot move the throttle: an indirect governor is needed.")
             lines.append(Failed(self.t(text)))
