@@ -41,6 +41,11 @@ class Translator(NamedTuple):
         """Of appendices."""
         return language(self.language).letters
 
+    @property
+    def cited(self) -> str:
+        """Between sources that are cited together."""
+        return language(self.language).cited
+
     def gettext(self, text: str) -> str:
         return _catalogue(self.language).gettext(text) if text else ""
 

@@ -22,7 +22,8 @@ class Language:
 
     `code`: ISO 639-1, that of --lang, of the key `language` and of HTML. `babel`: its name in LaTeX, `beside`: the
     language whose words a note has beside its own. `ids`: its texts are the message ids, without a catalogue.
-    `letters`: of appendices, in their order (GOST 7.32: without those that are taken for digits or for others).
+    `letters`: of appendices, in their order (GOST 7.32: without those that are taken for digits or for others);
+    `cited`: between sources that are cited together (GOST R 7.0.5: a semicolon).
     """
 
     code: str
@@ -32,6 +33,7 @@ class Language:
     beside: str = "english"
     ids: bool = False
     letters: str = "ABCDEFGHJKLMNPQRSTUVWXYZ"
+    cited: str = ", "
 
     @property
     def babel_options(self) -> str:
@@ -41,7 +43,7 @@ class Language:
 LANGUAGES = {
     row.code: row
     for row in (
-        Language("ru", "русский", "comma", babel="russian", letters="АБВГДЕЖИКЛМНПРСТУФХЦШЩЭЮЯ"),
+        Language("ru", "русский", "comma", babel="russian", letters="АБВГДЕЖИКЛМНПРСТУФХЦШЩЭЮЯ", cited="; "),
         Language("en", "English", "point", babel="english", beside="russian", ids=True),
     )
 }

@@ -17,8 +17,11 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 from messages import merged, messages
 from note import read, text_of
 
+from tmm_report.i18n import Translator
 from tmm_report.languages import LANGUAGES
+from tmm_report.report.sources import SOURCES
 
+CHAPTERS = Path(__file__).resolve().parents[2] / "templates" / "chapters"
 QUICK = ["compressor-ru", "governor_servo-en"]
 NOTES = [*QUICK, *sorted({f"{name}-{language}" for name in NAMES for language in LANGUAGES} - {*QUICK})]
 each = pytest.mark.parametrize("name", many(NOTES, len(QUICK)))
@@ -34,6 +37,52 @@ def test_every_note_cites_its_sources_within_its_sentences(name):
     root = page(name)
     cited = [node for node in root.iter("a") if (node.get("href") or "").startswith("#source")]
     assert cited and not [node for node in root.iter("p") if text_of(node).strip().startswith("[")]
+
+
+@each
+def test_sources_cited_together_are_parted_as_in_the_language(name):
+    variant, _, language = name.rpartition("-")
+    text = note(variant, "html", language)["note.html"].decode()
+    between = re.findall(r"</a>([^<]+)<a href=\"#source", text)
+    assert {one for one in between if one.strip() in (",", ";")} <= {{"ru": "; ", "en": ", "}[language]}
+    assert between or name not in QUICK
+
+
+def test_every_source_is_cited_by_a_template():
+    said = "".join(path.read_text("utf-8") for path in CHAPTERS.rglob("*.j2"))
+    cited = " ".join(re.findall(r"m\.(?:by|cite)\((.*?)\)", said))
+    assert set(re.findall(r'"(\w+)"', cited)) == set(SOURCES)
+
+
+_NAME, _INITIALS = r"[А-ЯЁ][а-яё]+(?:-[А-ЯЁ][а-яё]+)?", r"[А-ЯЁ][а-яё]?\. [А-ЯЁ]\."
+_AUTHOR, _EDITED = rf"{_NAME} {_INITIALS}", rf"под ред\. {_INITIALS} {_NAME}"
+_TITLE, _IN_ENGLISH = r"[А-ЯЁ][^.:;/–]+[^ .:;/–]", r"[A-Z][^.:;/–]+[^ .:;/–]"
+_PLACE, _YEAR = r"(?:М\.|Л\.|[А-ЯЁ][а-яё]+)", r"(?:19|20)\d\d"
+_PRINTED = rf"\. – {_PLACE}(?: ; {_PLACE})? : [А-ЯЁ][а-яё]+(?: школа)?, {_YEAR}\. – \d+ с\."
+_GOST, _ISO = r"ГОСТ \d+–(?:\d\d|\d{4})(?: \(ISO \d+:\d{4}\))?", r"ISO \d+-\d+:\d{4}"
+FORMS = {  # by GOST R 7.0.5
+    "a book of up to three authors": rf"{_AUTHOR}(?:, {_AUTHOR}){{0,2}} {_TITLE}(?: : пер\. с англ)?{_PRINTED}",
+    "a book under its title": rf"{_TITLE} / (?:{_INITIALS} {_NAME} \[и др\.\] ; )?{_EDITED}{_PRINTED}",
+    "an article": r"[A-Z][a-z]+ (?:[A-Z]\. )+"
+    rf"{_IN_ENGLISH} // {_IN_ENGLISH}\. – {_YEAR}\. – Vol\. \d+\. – P\. \d+–\d+\.",
+    "a standard": rf"(?:{_GOST}|{_ISO})(?:\. (?:[А-ЯЁ][а-яё ]+|Часть \d+))+\.",
+}
+
+
+@pytest.mark.parametrize("source", SOURCES)
+def test_a_source_has_the_form_of_its_kind(source):
+    text = Translator("ru").gettext(SOURCES[source])
+    spaced = text.replace("\N{NO-BREAK SPACE}", " ")
+    assert len([kind for kind, form in FORMS.items() if re.fullmatch(form, spaced)]) == 1, text
+    # no line begins with a sign, none parts a number from what it counts
+    assert not re.search(r" (?:[:;]|//|с\.)|(?:Vol|P|[А-Я])\. (?:\d|[А-Я]\.)", text)
+
+
+@pytest.mark.parametrize("source", SOURCES)
+def test_a_source_has_the_same_numbers_in_both_languages_and_ends_with_a_stop(source):
+    both = SOURCES[source], Translator("ru").gettext(SOURCES[source])
+    one, other = (sorted(re.findall(r"\d+", text)) for text in both)
+    assert one == other and all(text.endswith(".") for text in both)
 
 
 WRONG = {  # what the terms of the course are not called: ISO 1122 and IFToMM in English, usage in Russian

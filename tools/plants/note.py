@@ -85,6 +85,8 @@ FAULTS = (
           "wider.wide <= paper.width", "wider.wide <= 2 * paper.width", tests=SHEETS),
     Fault("figures of a sheet higher than it", "tmm_report/report/paper/rows.py",
           "for one in (*rows, row)) > sheet.field[1]", "for one in rows) > sheet.field[1]", tests=SHEETS),
+    Fault("sources cited together as in English", "tmm_report/languages.py", 'cited="; "', 'cited=", "',
+          tests=("tests/report/test_good_text.py",)),
     Fault("gathered figures of LaTeX lost", "tmm_report/report/formats.py",
           "_tex_row(row, self.paper) for row in rows)", "_tex_row(row, self.paper) for row in rows[:0])",
           tests=SHEETS),

@@ -120,6 +120,11 @@ class InspectionView:
 
     # ------------------------------------------------------------ drawing
 
+    @property
+    def standard(self) -> bool:
+        """Whether the basic rack is that of the standard."""
+        return tuple(round(self.of.s.number(key), 9) for key in ("alpha", "ha", "c")) == STANDARD
+
     def drawing_table(self, i: int, caption: Any) -> Table:
         """The table of GOST 2.403 for the drawing of wheel i; what the calculation does not know is left to be filled
         in."""
@@ -134,8 +139,7 @@ class InspectionView:
         if of.helical:
             yield self._single("beta")
             yield [t("direction of the teeth"), DASH, left]
-        s = of.s
-        if tuple(round(s.number(key), 9) for key in ("alpha", "ha", "c")) == STANDARD:
+        if self.standard:
             yield [t("basic rack"), DASH, t("GOST\N{NO-BREAK SPACE}13755")]
         else:
             yield from (self._single(key) for key in ("alpha", "ha", "c"))
