@@ -19,6 +19,7 @@ from note import Note, read
 from notes import NAMES, note, render
 from once import once
 
+from tmm_report import render as render_as
 from tmm_report.figures.drawing import Drawing
 from tmm_report.report.formats import Tex
 
@@ -44,8 +45,10 @@ def language(name: str, other: str = "") -> str:
 
 
 @cache
-def html(name: str, other: str = "") -> Note:
-    return read(note(name, "html", language(name, other))["note.html"].decode())
+def html(name: str, other: str = "", depth: str = "full") -> Note:
+    if depth == "full":
+        return read(note(name, "html", language(name, other))["note.html"].decode())
+    return read(render_as(solved(name), "html", language(name, other), depth)["note.html"].decode())
 
 
 def tex(name: str, other: str = "") -> str:

@@ -13,7 +13,7 @@ from tmm_report.commands.printing import printed
 
 MOST = {  # pages of the text and of the appendices, MB of the HTML
     ("compressor", "course"): (55, 30, 1.2),
-    ("compressor", "short"): (40, 0, 0.7),
+    ("compressor", "short"): (35, 0, 0.6),
     ("punch_press", "course"): (10, 2, 0.35),
 }
 

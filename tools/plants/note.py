@@ -9,6 +9,7 @@ KINDS = ("tests/quantity/test_kinds.py",)
 TRANSLATE = ("tests/chapters/lever/test_translating_links.py",)
 SHEETS = ("tests/report/test_sheets.py",)
 ORDER = ("tests/chapters/lever/force_plans/test_order_of_forces.py",)
+VECTORS = ("tests/page/drawings/test_vectors.py",)
 READ = ("tests/chapters/lever/test_lengths_read.py",)
 FORCES = "tmm_report/chapters/lever/force_plans/"
 FAULTS = (
@@ -81,6 +82,14 @@ FAULTS = (
     Fault("the scheme in the text at a coarser scale than is said", "tmm_report/report/schemes.py",
           "self._drawn(position, mu)", "self._drawn(position, 2 * mu)", "compressor"),
     # --- figures that share the paper ---
+    Fault("a plan made smaller under the scale of its construction", "tmm_report/chapters/lever/plans/view.py",
+          'scale_of(f"mu_{plan.kind}", mu, own.unit)', 'scale_of(f"mu_{plan.kind}", plan.scale, own.unit)',
+          "compressor", VECTORS),
+    Fault("a force plan made smaller under the scale of its construction", FORCES + "view.py",
+          'scale_of("mu_F", mu, "N/mm")', 'scale_of("mu_F", plan.scale, "N/mm")', "compressor", VECTORS),
+    Fault("a scheme of loading made smaller under the scale of its construction", FORCES + "view.py",
+          'scale_of("mu_l", self.scheme_scale(drawn, plan), "m/mm")', 'scale_of("mu_l", self.length_scale, "m/mm")',
+          "compressor", ("tests/page/drawings/test_loading_schemes.py",)),
     Fault("figures side by side wider than the page", "tmm_report/report/paper/rows.py",
           "wider.wide <= paper.width", "wider.wide <= 2 * paper.width", tests=SHEETS),
     Fault("figures of a sheet higher than it", "tmm_report/report/paper/rows.py",

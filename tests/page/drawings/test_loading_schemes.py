@@ -89,6 +89,19 @@ def test_arms_and_forces_of_loading_schemes(name):
     wrong(found)
 
 
+@pytest.mark.parametrize("name", LEVERS)
+def test_arms_of_a_short_note_are_as_long_at_the_scales_that_it_states(name):
+    note, document, found = html(name, depth="short"), results(name), []
+    own = next(value["value"] for value in document["values"] if value["key"] == "mu_l")
+    for anchor, caption, mu in figures(note, "μ_l"):
+        k = position_of(caption)
+        if LOADING.search(caption) and k is not None:
+            drawn = {key: [mm * own / mu for mm in arms] for key, arms in arms_of(document, k).items()}
+            off = wrong_arms(vectors(note.drawings[anchor]), drawn)
+            found += [f"{anchor}: {text}" for text in off]
+    wrong(found)
+
+
 # --- Zhukovsky's lever ---
 
 

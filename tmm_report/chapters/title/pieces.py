@@ -29,9 +29,13 @@ PIECES: dict[str, Piece] = {
     "kinematics.singular": Piece(N_("how near the groups come to singular positions"), course="appendix"),
     "kinematics.dead_points": Piece(N_("dead points")),
     "kinematics.extremes": Piece(N_("extreme values of the motion of the links")),
+    "kinematics.diagrams": Piece(N_("diagrams of the motion of the outputs after the first one")),
     "kinematics.angles": Piece(N_("motion of the links that are no outputs"), course="appendix"),
     "kinematics.analogues": Piece(N_("analogues of velocities and accelerations"), course="appendix"),
     "plans.others": Piece(N_("plans of the positions after the first one, worked out"), course="omit"),
+    "plans.sheets": Piece(
+        N_("plans of velocities and accelerations as large as they are drawn; else two share the page")
+    ),
     "plans.senses": Piece(N_("senses of angular velocities and accelerations, by the plans")),
     "plans.compared": Piece(N_("comparison of the methods at the positions whose plans are not worked out")),
     "kinetostatics.directions": Piece(N_("directions of the reactions"), course="appendix"),
@@ -51,6 +55,9 @@ PIECES: dict[str, Piece] = {
         N_("force plans of the positions after the first one, worked out"), course="omit"
     ),
     "force_plans.groups": Piece(N_("force plans of the groups after the first one, worked out")),
+    "force_plans.sheets": Piece(
+        N_("force plans and schemes of loading as large as they are drawn; else several share a page")
+    ),
     "force_plans.formulas": Piece(
         N_("inertia forces and readings of the force plans after the first of a kind, worked out"),
         course="omit",

@@ -7,7 +7,7 @@ x axis, complex (P,); `mu_l` is m of the mechanism per mm of paper, None: a stan
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import product
 from typing import NamedTuple
 
@@ -153,15 +153,27 @@ def standard_scale(mechanism: Mechanism, places: Arrays, turns: Arrays) -> float
     return _fitting(_span(places) / PAGE[1], draw, page).mu
 
 
+def reduced(own: float, draw: Callable[[float], Iterable[Drawing]], page: tuple[float, float]) -> float:
+    """The scale `own` of drawings that all fit the page at it, else the finest standard one at which they do."""
+    scales = [own, *_standard(own)]
+    return next((mu for mu in scales if all(_fits(one, page) for one in draw(mu))), scales[-1])
+
+
 def _fitting(least: float, draw: Callable[[float], Drawing], page: tuple[float, float]) -> Drawn:
     """The least standard scale, m/mm, not under `least`, whose drawing fits the page, else the greatest."""
-    power = math.floor(math.log10(least)) if least > 0 else -3
-    digits = product(range(4), (1, 2, 2.5, 4, 5))
-    scales = [float(f"{digit * 10.0 ** (power + more):.3g}") for more, digit in digits]
-    tried = (Drawn(mu, draw(mu)) for mu in scales if mu >= least)
+    scales = _standard(least)
+    tried = (Drawn(mu, draw(mu)) for mu in scales)
     return next((one for one in tried if _fits(one.drawing, page)), None) or Drawn(
         scales[-1], draw(scales[-1])
     )
+
+
+def _standard(least: float) -> list[float]:
+    """Standard scales not under `least`, from the finest on."""
+    power = math.floor(math.log10(least)) if least > 0 else -3
+    digits = product(range(4), (1, 2, 2.5, 4, 5))
+    scales = [float(f"{digit * 10.0 ** (power + more):.3g}") for more, digit in digits]
+    return [mu for mu in scales if mu >= least]
 
 
 def _fits(drawing: Drawing, page: tuple[float, float]) -> bool:

@@ -16,10 +16,11 @@ STYLES: dict[Kind, Style] = {
 }  # fmt: skip
 
 
-def force_picture(drawn: ForcePlan, words: Callable[[str], str]) -> Drawing:
-    """`words`: how a word of an index is said."""
+def force_picture(drawn: ForcePlan, words: Callable[[str], str], scale: float | None = None) -> Drawing:
+    """At its own scale or at another; `words`: how a word of an index is said."""
+    by = drawn.scale / scale if scale else 1.0
     vectors = [
-        PlanVector(s.start, s.end, lettered(s.quantity.symbol, words), STYLES[s.kind], s.key)
+        PlanVector(by * s.start, by * s.end, lettered(s.quantity.symbol, words), STYLES[s.kind], s.key)
         for s in drawn.strokes
     ]
     return plan(vectors, {})

@@ -17,6 +17,7 @@ from tmm_report.chapters.lever.force_plans.solve import ForcePlans
 from tmm_report.chapters.lever.schemes import ties_of
 from tmm_report.chapters.lever.structure.quantities import index_of
 from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.schemes.scheme import reduced
 from tmm_report.mechanics.lever.driving.stroke import Stroke
 from tmm_report.mechanics.lever.wheels.coupled import Coupled
 from tmm_report.problems import N_
@@ -40,6 +41,10 @@ if TYPE_CHECKING:
 
 DRIVING = ("driver", "led", "line", "thrust")  # stages of what drives
 MOVED = ("wheel", "rolling", "rack")
+WIDE, BESIDE = (
+    (165.0, 70.0),
+    (80.0, 70.0),
+)  # mm: one of several schemes or plans on a page, one beside another
 REDUCED_ARM = Definition("h", Var("M_I", 0.0) / Var("F_I", 0.0))
 
 
@@ -66,6 +71,8 @@ class ForcePlansView(BookView):
             lever.sample if lever.sample in drawn else next(iter(drawn), 0)
         )  # that is worked out in full
         self.picture, self.parted = cache(self._picture), cache(self._parted)
+        self.scheme_scale, self.plan_scale = cache(self._scheme_scale), cache(self._plan_scale)
+        self.words = partial(page.tr.pgettext, "index")
         forces, self.ties = lever.kinetostatics, tuple(ties_of(lever))
         self.couples = forces is not None and bool(forces.table.loading.couples)
 
@@ -113,23 +120,55 @@ class ForcePlansView(BookView):
         return self.page.listed(self.page.value(var, digits=5) for var in plan.solution)
 
     def _picture(self, plan: ForcePlan) -> Drawing:
-        return force_picture(plan, partial(self.page.tr.pgettext, "index"))
+        return force_picture(plan, self.words, self.plan_scale(plan))
+
+    # ------------------------------------------------------------ scales in the note
+
+    @property
+    def shares(self) -> bool:
+        """Whether schemes and plans are as small as several must be to share a page."""
+        return self.page.note.stand("force_plans.sheets") == "omit"
+
+    def smaller(self, drawn: ForceDrawn) -> bool:
+        """Whether a scheme or a plan is drawn smaller in the note than arms and lengths are read off it."""
+        return any(
+            self.scheme_scale(drawn, plan) > self.length_scale or self.plan_scale(plan) > plan.scale
+            for plan in drawn.plans
+        )
+
+    def _scheme_scale(self, drawn: ForceDrawn, plan: ForcePlan) -> float:
+        """m/mm."""
+        if not self.shares:
+            return self.length_scale
+        return reduced(
+            self.length_scale,
+            lambda mu: [one.drawing for one in self._loading(drawn, plan, mu)],
+            _room(plan),
+        )
+
+    def _plan_scale(self, plan: ForcePlan) -> float:
+        """N/mm."""
+        if not self.shares:
+            return plan.scale
+        return reduced(plan.scale, lambda mu: [force_picture(plan, self.words, mu)], _room(plan))
+
+    def picture_scale(self, drawn: ForceDrawn, plan: ForcePlan) -> Markup:
+        """mu_F with the scale at which a plan stands in the note."""
+        mu = self.plan_scale(plan)
+        return self.scale(drawn, plan) if mu == plan.scale else self.page.value(scale_of("mu_F", mu, "N/mm"))
 
     # ------------------------------------------------------------ loading schemes
 
     def loading(self, drawn: ForceDrawn, plan: ForcePlan) -> list[Loaded]:
-        return loading_schemes(
-            self.kinematics,
-            self.length_scale,
-            drawn,
-            plan,
-            partial(self.page.tr.pgettext, "index"),
-            self.ties,
-        )
+        return self._loading(drawn, plan, self.scheme_scale(drawn, plan))
+
+    def _loading(self, drawn: ForceDrawn, plan: ForcePlan, scale: float) -> list[Loaded]:
+        return loading_schemes(self.kinematics, scale, drawn, plan, self.words, self.ties)
 
     def loading_caption(self, drawn: ForceDrawn, plan: ForcePlan, links: Sequence[str]) -> Markup:
         """Of the scheme of some links of a plan."""
-        told = {"k": drawn.position, "scale": self.page.value(self.scheme_scale)}
+        scale = scale_of("mu_l", self.scheme_scale(drawn, plan), "m/mm")
+        told = {"k": drawn.position, "scale": self.page.value(scale)}
         if plan.stage == "driver":
             return self.t("Loading of the driving link, position %(k)s, %(scale)s", **told)
         if plan.stage != "group":
@@ -143,7 +182,7 @@ class ForcePlansView(BookView):
         return self.t("Loading of the group %(group)s, position %(k)s, %(scale)s", **told)
 
     def plan_caption(self, drawn: ForceDrawn, plan: ForcePlan) -> Markup:
-        told = {"k": drawn.position, "scale": self.scale(drawn, plan)}
+        told = {"k": drawn.position, "scale": self.picture_scale(drawn, plan)}
         if plan.stage == "driver":
             return self.t("Force plan of the driving link, position %(k)s, %(scale)s", **told)
         if plan.stage == "group":
@@ -171,11 +210,6 @@ class ForcePlansView(BookView):
     def bodies(self, drawn: ForceDrawn) -> tuple[str, ...]:
         """The rod, or the links of the cylinder, between the link that follows the stroke and its far point."""
         return next((plan.links for plan in drawn.plans if plan.stage == "line"), ())
-
-    @property
-    def scheme_scale(self) -> Var:
-        """mu_l of the loading schemes, with which their arms are read."""
-        return scale_of("mu_l", self.length_scale, "m/mm")
 
     def symbols(self, of: Sequence[Quantity]) -> Markup:
         return self.page.listed(self.page.sym(one.sign) for one in of)
@@ -233,3 +267,8 @@ class ForcePlansView(BookView):
                     size = short_and_full(worked.rows[key][1], 7, self.page.tr.decimal, self.places)[1]
                     found[of.key] = Cell(size, worked.ref(key))
         return found
+
+
+def _room(plan: ForcePlan) -> tuple[float, float]:
+    """What its scheme, and its plan, may fill where several share a page: of one link each beside another."""
+    return BESIDE if len(plan.links) == 1 else WIDE

@@ -14,10 +14,14 @@ STYLES: dict[Role, Style] = {
 }  # fmt: skip
 
 
-def plan_picture(drawn: Plan) -> Drawing:
-    """A plan of velocities or accelerations, at its scale."""
-    vectors = [PlanVector(s.start, s.end, lettered(s.symbol), _style(s), s.key) for s in drawn.strokes]
-    return plan(vectors, drawn.vertices, pole=drawn.pole)
+def plan_picture(drawn: Plan, scale: float | None = None) -> Drawing:
+    """A plan of velocities or accelerations, at its own scale or at another."""
+    by = drawn.scale / scale if scale else 1.0
+    vectors = [
+        PlanVector(by * s.start, by * s.end, lettered(s.symbol), _style(s), s.key) for s in drawn.strokes
+    ]
+    vertices = {name: by * place for name, place in drawn.vertices.items()}
+    return plan(vectors, vertices, pole=drawn.pole)
 
 
 def _style(stroke: Stroke) -> Style:

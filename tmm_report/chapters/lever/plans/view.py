@@ -16,6 +16,7 @@ from tmm_report.chapters.lever.plans.draw import plan_picture
 from tmm_report.chapters.lever.plans.scales import Choice
 from tmm_report.chapters.lever.plans.solve import LIMIT, Drawn
 from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.schemes.scheme import reduced
 from tmm_report.problems import N_
 from tmm_report.quantity import model
 from tmm_report.quantity.definition import Definition
@@ -28,6 +29,7 @@ from tmm_report.quantity.text import short_and_full
 from tmm_report.quantity.written import DIGITS
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.comparison import comparison_table
+from tmm_report.report.diagrams import scale_of
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Table, worded
 from tmm_report.report.part import Part
@@ -39,6 +41,7 @@ if TYPE_CHECKING:
 _GRAPH, _ANALYTIC = Var("x_gr", 0.0), Var("x_an", 0.0)
 DIFFERENCE = Definition("delta", (_GRAPH - _ANALYTIC) / (Number(0.5) * (_GRAPH + _ANALYTIC)) * Number(100))
 
+SHARED = (80.0, 80.0)  # mm: of two plans side by side
 SENSE = {1: N_("counter-clockwise ↺"), -1: N_("clockwise ↻"), 0: N_("the vector is zero")}
 
 
@@ -60,7 +63,7 @@ class PlansView(BookView):
         ranked = sorted(drawn, key=lambda k: k != self.first)
         self.worked = ranked[: page.note.plans or 1]  # positions whose plans always stand in the text
         self.kinds_once, self.kinds = not page.note.every, Kinds(page.note.every)
-        self.picture = cache(self._picture)
+        self.scale, self.picture = cache(self._scale), cache(self._picture)
 
     def conclusions(self) -> list[Markup]:
         if not self.found.drawn:
@@ -132,8 +135,31 @@ class PlansView(BookView):
         """Whether a plan is drawn from the solution of equations, for want of a construction."""
         return any(step.projections for step in plan.steps)
 
+    @property
+    def shares(self) -> bool:
+        """Whether plans are as small as two must be to stand side by side."""
+        return self.page.note.stand("plans.sheets") == "omit"
+
+    @property
+    def smaller(self) -> bool:
+        """Whether a plan is drawn smaller in the note than it is constructed."""
+        plans = [plan for one in self.found.drawn for plan in (one.velocity, one.acceleration)]
+        return any(self.scale(plan) > plan.scale for plan in plans)
+
+    def _scale(self, plan: Plan) -> float:
+        """At which it stands in the note: its own, or a coarser one where two plans are to share the page."""
+        if not self.shares:
+            return plan.scale
+        return reduced(plan.scale, lambda mu: [plan_picture(plan, mu)], SHARED)
+
     def _picture(self, plan: Plan) -> Drawing:
-        return plan_picture(plan)
+        return plan_picture(plan, self.scale(plan))
+
+    def picture_scale(self, plan: Plan) -> Markup:
+        """mu_v or mu_a with the scale at which a plan stands in the note."""
+        own = self.var(f"mu_{plan.kind}")
+        mu = self.scale(plan)
+        return self.page.value(own if mu == plan.scale else scale_of(f"mu_{plan.kind}", mu, own.unit))
 
     # ------------------------------------------------------------ tables
 
