@@ -100,6 +100,33 @@ def test_a_page_without_contents_or_of_another_program_is_told():
             described(pdf, "A")
 
 
+def pdf_of(*objects: bytes) -> bytes:
+    """A PDF of these objects, the first of them its Info and the second its Root."""
+    written, places = b"%PDF-1.4\n", []
+    for number, one in enumerate(objects, 1):
+        places.append(len(written))
+        written += b"%d 0 obj\n%b\nendobj\n" % (number, one)
+    table = b"xref\n0 %d\n0000000000 65535 f \n" % (len(objects) + 1)
+    table += b"".join(b"%010d 00000 n \n" % at for at in places)
+    trailer = b"trailer\n<</Size %d\n/Root 2 0 R\n/Info 1 0 R>>\nstartxref\n%d\n%%%%EOF"
+    return written + table + trailer % (len(objects) + 1, len(written))
+
+
+def test_what_looks_like_an_object_within_a_stream_is_none():
+    false = b"<</Kids [6 0 R 5 0 R]>>"
+    pdf = pdf_of(
+        b"<</Title (A)\n/Creator (4 0 obj)>>",
+        b"<</Pages 4 0 R\n/Dests 7 0 R>>",
+        b"<</Length 60>> stream\n4 0 obj\n%b\nendobj\nxref\n0 9\nendstream" % false,
+        b"<</Kids [5 0 R 6 0 R]>>",
+        b"<<>>",
+        b"<<>>",
+        b"<</one [5 0 R /XYZ 0 0 0]\n/two [6 0 R /XYZ 0 0 0]>>",
+    )
+    assert pages(pdf) == {"one": 1, "two": 2}
+    assert pages(described(pdf, "A long name of an author")) == {"one": 1, "two": 2}
+
+
 def test_without_a_browser_the_note_is_written_and_that_is_said(tmp_path, monkeypatch):
     monkeypatch.setattr(printing.shutil, "which", lambda name: None)
     with pytest.raises(NoBrowser):

@@ -102,7 +102,7 @@ def with_pages(html: bytes, found: Mapping[str, int]) -> bytes:
 
 def pages(pdf: bytes) -> dict[str, int]:
     """Anchor -> page, from 1, of what the links of the note lead to. Raises PrintFailed for another PDF."""
-    root = _object(pdf, _reference(_trailer(pdf), b"Root"))
+    root = _object(pdf, _reference(_trailer(pdf)[0], b"Root"))
     order = {number: k for k, number in enumerate(_leaves(pdf, _reference(root, b"Pages")), 1)}
     named = re.findall(rb"/(\S+) \[(\d+) 0 R /XYZ", _object(pdf, _reference(root, b"Dests")))
     return {name.decode(): order[int(number)] for name, number in named if int(number) in order}
@@ -119,7 +119,8 @@ def _leaves(pdf: bytes, number: int) -> list[int]:
 
 def described(pdf: bytes, author: str) -> bytes:
     """The PDF with its author, and without the clock: the same note gives the same bytes."""
-    start, end = _span(pdf, _reference(_trailer(pdf), b"Info"))
+    record, table = _trailer(pdf)
+    start, end = _span(pdf, _reference(record, b"Info"))
     title = re.search(rb"/Title (<[0-9A-F]*>|\((?:\\.|[^\\)])*\))", pdf[start:end])
     lines = [b"/Title " + title[1]] if title else []
     lines += [b"/Author <FEFF" + author.encode("utf-16-be").hex().upper().encode() + b">"] if author else []
@@ -130,17 +131,17 @@ def described(pdf: bytes, author: str) -> bytes:
         at = int(line[1])
         return b"%010d" % (at + longer if at > start else at) + line[2]
 
-    table = pdf.rindex(b"\nxref\n")
     references = re.sub(rb"(\d{10})( \d{5} n )", moved, pdf[table:])
     references = re.sub(rb"(?<=startxref\n)\d+", lambda at: b"%d" % (int(at[0]) + longer), references)
     return pdf[:start] + body + pdf[end:table] + references
 
 
-def _trailer(pdf: bytes) -> bytes:
-    found = re.search(rb"trailer\n(<<.*?>>)\nstartxref\n\d+\n%%EOF", pdf[-4096:], re.S)
+def _trailer(pdf: bytes) -> tuple[bytes, int]:
+    """Its record, and where the table of references begins."""
+    found = re.search(rb"trailer\n(<<.*?>>)\nstartxref\n(\d{1,15})\n%%EOF", pdf[-4096:], re.S)
     if found is None:
         raise PrintFailed("not a PDF as Chromium prints it")
-    return found[1]
+    return found[1], int(found[2])
 
 
 def _reference(record: bytes, key: bytes) -> int:
@@ -150,9 +151,14 @@ def _reference(record: bytes, key: bytes) -> int:
     return int(found[1])
 
 
+_HEAD, _ENTRY, _LENGTH = re.compile(rb"xref\n0 \d+\n"), re.compile(rb"(\d{10}) \d{5} n \n"), 20
+
+
 def _span(pdf: bytes, number: int) -> tuple[int, int]:
-    """Where the body of an object begins and ends."""
-    head = re.search(rb"(?:^|\n)%d 0 obj\n" % number, pdf)
+    """Where the body of an object begins and ends: by the table, since a stream may hold what looks like an object."""
+    table = _HEAD.match(pdf, _trailer(pdf)[1])
+    entry = _ENTRY.match(pdf, table.end() + _LENGTH * number) if table else None
+    head = re.compile(rb"%d 0 obj\n" % number).match(pdf, int(entry[1])) if entry else None
     if head is None:
         raise PrintFailed(f"the PDF has no object {number}")
     return head.end(), pdf.index(b"endobj", head.end())

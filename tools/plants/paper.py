@@ -28,6 +28,8 @@ FAULTS = (
           tests=PRINT),
     Fault("references of a printed note beside their objects", "tmm_report/commands/printing.py",
           "at + longer if at > start else at", "at", tests=PRINT),
+    Fault("objects of a printed note by the line before in its table", "tmm_report/commands/printing.py",
+          "table.end() + _LENGTH * number", "table.end() + _LENGTH * (number - 1)", tests=PRINT),
     Fault("joined rows that do not tell their noughts", "tmm_report/report/paper/layout.py",
           "one._replace(cells=[one.cells[k] for k in kept])", "Column(one.head, [one.cells[k] for k in kept])",
           tests=FRONT),
