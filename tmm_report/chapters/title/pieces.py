@@ -100,7 +100,9 @@ PIECES: dict[str, Piece] = {
     "methods.charts": Piece(
         N_("errors of methods and tables, drawn over their costs and numbers of positions")
     ),
-    "flywheel.derivation": Piece(N_("masses and loads reduced at a position, the integrals of the work")),
+    "flywheel.derivation": Piece(
+        N_("masses, loads and energies worked out at a position, the integrals of the work")
+    ),
     "flywheel.check": Piece(N_("the exact moment of inertia worked out, the motion with the flywheel")),
     "flywheel.sketch": Piece(N_("drawing of the flywheel")),
     "flywheel.methods": Piece(
@@ -113,6 +115,7 @@ PIECES: dict[str, Piece] = {
         N_("masses of the links substituted into their joints, worked out"), course="appendix"
     ),
     "balancing.positions": Piece(N_("shaking force and moment before balancing, position by position")),
+    "balancing.check": Piece(N_("the shaking force as the sum of the reactions of the frame")),
     "balancing.means": Piece(N_("what the ways of balancing after the first one do")),
     "balancing.ways": Piece(N_("counterweights after the first one, worked out"), course="omit"),
     "balancing.hodographs": Piece(N_("hodographs of the shaking force by the ways of balancing")),
