@@ -16,7 +16,7 @@ from conftest import LEVERS as MECHANISMS
 from conftest import read as variant
 from exhaustive import many
 from note import Note, read
-from notes import NAMES, note, render
+from notes import NAMES, note
 from once import once
 
 from tmm_report import render as render_as
@@ -56,13 +56,13 @@ def tex(name: str, other: str = "") -> str:
     return _tex(name, other)[0]
 
 
-def drawings(name: str) -> dict[str, Drawing]:
+def drawings(name: str, depth: str = "full") -> dict[str, Drawing]:
     """The drawings of a note, its graphs among them, by their anchors, before they are written in any format."""
-    return _tex(name)[1]
+    return _tex(name, depth=depth)[1]
 
 
 @once
-def _tex(name: str, other: str = "") -> tuple[str, dict[str, Drawing]]:
+def _tex(name: str, other: str = "", depth: str = "full") -> tuple[str, dict[str, Drawing]]:
     found: dict[str, Drawing] = {}
 
     def picture(self: Tex, picture: Any, anchor: str) -> str:
@@ -70,7 +70,8 @@ def _tex(name: str, other: str = "") -> tuple[str, dict[str, Drawing]]:
         return ""
 
     with patch.object(Tex, "picture", picture):
-        return render(solved(name), "tex", language(name, other))["note.tex"].decode(), found
+        files = render_as(solved(name), "tex", language(name, other), depth)
+        return files["note.tex"].decode(), found
 
 
 @cache

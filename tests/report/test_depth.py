@@ -129,14 +129,30 @@ def test_as_many_positions_have_their_plans_worked_out_as_is_said(note, count):
 
 def test_the_other_positions_are_compared_in_tables_alone():
     results = solved("crank_rocker")
-    captions = {
-        depth: text("crank_rocker", depth).count("Comparison of the methods, position") for depth in DEPTHS
-    }
-    assert captions == {
+    told = re.compile("Comparison of the methods, (position .*?)</p>")
+    captions = {depth: " ".join(told.findall(text("crank_rocker", depth))) for depth in DEPTHS}
+    assert {depth: found.count("position ") for depth, found in captions.items()} == {
         "short": 1,
         "course": len(results.lever.plans.drawn),
         "full": len(results.lever.plans.drawn),
     }
+
+
+@pytest.mark.parametrize("name", ["crank_rocker", "compressor"])
+def test_positions_that_share_a_table_stand_on_the_sides_that_its_caption_tells(name):
+    results = solved(name)
+    one, other = (drawn.position for drawn in results.lever.plans.drawn[:2])
+    note = noted(replace(results, lever=replace(results.lever, readings=None)), depth="course")
+    head = f"Comparison of the methods, position {one} (left) and position {other} (right)"
+    assert note.count(head) == 1
+    table = note[note.index(head) : note.index("</table>", note.index(head))]
+    rows = [re.findall(r'<td[^>]*data-k="(\d+)"', row) for row in table.split("<tr>")[2:]]
+    assert len(rows) > 9 and {len(row) for row in rows} == {
+        6,
+        8,
+    }  # some have a segment, which is read off a plan
+    assert all(row == sorted(row, key=[str(one), str(other)].index) for row in rows)
+    assert all(row.count(str(one)) == row.count(str(other)) for row in rows)
 
 
 def test_an_appendix_of_nothing_is_none():

@@ -33,21 +33,50 @@ def comparison_table(
     heads = [
         page.t("Quantity"), page.t("Graphical"), page.t("Analytical"), page.t("Difference, %%"),
     ]  # fmt: skip
-    rows = {
-        str(key): _compared(page, table, named, position, row) for row, key in enumerate(table["key"].values)
-    }
+    rows = _rows(page, table, named, position, segments)
     shares = [3, 3, 3, 2]
     if segments is not None:
         heads.insert(1, page.t("Segment, mm"))
         shares.insert(1, 3)
-        for key, row in rows.items():
-            row.insert(1, segments.get(key, DASH))
     if own is not None:
         heads += [page.t("Own value"), page.t("its δ, %%")]
         shares += [3, 2]
         for key, row in rows.items():
             row += _own(page, own, key, position)
     return worded(caption, heads, rows.values(), shares)
+
+
+def side_by_side(
+    page: Page,
+    caption: Any,
+    tables: Mapping[int, model.Table],
+    named: Mapping[str, Quantity],
+    segments: Mapping[int, Mapping[str, Cell]],
+) -> Table:
+    """The same of two positions or more, by these: of each beside the quantities its columns, under the letters of the
+    formula of the difference."""
+    every = [_rows(page, table, named, k, segments[k]) for k, table in tables.items()]
+    first, *others = every
+    rows = [[*row, *(cell for other in others for cell in other[key][1:])] for key, row in first.items()]
+    letters = page.sym("x_gr"), page.sym("x_an"), page.listed([page.sym("delta"), "%"])
+    heads = [page.t("Quantity"), *(page.t("Segment, mm"), *letters) * len(every)]
+    return worded(caption, heads, rows, (4, *(3, 3, 3, 2) * len(every)))
+
+
+def _rows(
+    page: Page,
+    table: model.Table,
+    named: Mapping[str, Quantity],
+    position: int,
+    segments: Mapping[str, Cell] | None,
+) -> dict[str, list[Any]]:
+    """By the keys of the quantities; segments stand behind these."""
+    rows = {
+        str(key): _compared(page, table, named, position, row) for row, key in enumerate(table["key"].values)
+    }
+    for key, row in rows.items() if segments is not None else ():
+        row.insert(1, segments.get(key, DASH))
+    return rows
 
 
 def _own(page: Page, own: model.Table, key: str, position: int) -> tuple[Any, Any]:

@@ -50,11 +50,11 @@ class Schemes:
         zero = complex(self.table.turn(self.mechanism.driver.link)[0])
         return scheme(self.mechanism, places, turns, scale, position, zero, ties=self.ties)
 
-    def in_text(self, position: int) -> Drawn:
+    def in_text(self, position: int, small: bool = False) -> Drawn:
         """One position at the scale of the schemes, or at a coarser one where it does not fit the text at it."""
         places, _ = self._whole
         here = {point: place[position : position + 1] for point, place in places.items()}
-        return in_text(lambda mu: self._drawn(position, mu), self.scale, here, GROUPS_PAGE)
+        return in_text(lambda mu: self._drawn(position, mu), self.scale, here, GROUPS_PAGE, small)
 
     def all_in_text(self, position: int, strokes: Sequence[Stroke] = ()) -> Drawn:
         """All positions, at a coarser scale than that of the construction where they do not fit the text at it."""
@@ -76,10 +76,10 @@ class Schemes:
             ties=self.ties,
         )
 
-    def groups(self, groups: Sequence[Group], position: int) -> Drawn:
+    def groups(self, groups: Sequence[Group], position: int, small: bool = False) -> Drawn:
         """The groups apart at the scale of the schemes, or at a coarser one where they do not fit a page at it."""
         mechanism, places, turns, k = self._replaced(position)
-        return groups_apart(mechanism, places, turns, self._named(groups), k, self.scale)
+        return groups_apart(mechanism, places, turns, self._named(groups), k, self.scale, small)
 
     def _replaced(self, position: int) -> tuple[Mechanism, Arrays, Arrays, int]:
         """The mechanism, its places and turns, and the position in them: where there are cam pairs, of the mechanism in

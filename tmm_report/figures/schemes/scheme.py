@@ -24,6 +24,7 @@ from tmm_report.mechanics.lever.mechanism import Mechanism
 
 PAGE = (165.0, 228.0)  # what a drawing may fill of a sheet, mm
 GROUPS_PAGE = (165.0, 130.0)  # what the groups taken apart, or one position, may fill
+SMALL, FEWER = (165.0, 75.0), 2.5  # the same in a shorter note, and how much smaller it is made for that
 
 Group = tuple[str, Sequence[str]]  # its name as it is printed, its links ("0" with the driving link)
 
@@ -113,6 +114,7 @@ def groups_apart(
     groups: Sequence[Group],
     position: int = 0,
     least: float = 0.0,
+    small: bool = False,
 ) -> Drawn:
     """The driving link and the Assur groups side by side, each over its name, outer joints as free halves: at `least`,
     m/mm, where they fit a page at it; else at the finest standard scale at which they fit the part of a page that is
@@ -121,18 +123,32 @@ def groups_apart(
     def draw(mu: float) -> Drawing:
         return Drawing(_apart(view_of(mechanism, places, turns, mu, position), groups))
 
-    return in_text(draw, least, places, PAGE)
+    return in_text(draw, least, places, PAGE, small)
 
 
 def in_text(
-    draw: Callable[[float], Drawing], least: float, places: Arrays, page: tuple[float, float]
+    draw: Callable[[float], Drawing],
+    least: float,
+    places: Arrays,
+    page: tuple[float, float],
+    small: bool = False,
 ) -> Drawn:
     """A drawing at the scale `least`, m/mm, if it fits the `page` at it, else at the finest standard scale at which it
-    fits a part of one."""
+    fits a part of one. `small`: made as much smaller, by FEWER at most, as lets it take a third of a page."""
     drawn = draw(least) if least else None
     if drawn is not None and _fits(drawn, page):
-        return Drawn(least, drawn)
-    return _fitting(max(least, _span(places) / PAGE[0]), draw, GROUPS_PAGE)
+        found = Drawn(least, drawn)
+    else:
+        found = _fitting(max(least, _span(places) / PAGE[0]), draw, GROUPS_PAGE)
+    return _smaller(found, draw) if small else found
+
+
+def _smaller(drawn: Drawn, draw: Callable[[float], Drawing]) -> Drawn:
+    tried = [drawn]
+    for mu in _standard(drawn.mu):
+        if not _fits(tried[-1].drawing, SMALL) and drawn.mu < mu <= FEWER * drawn.mu:
+            tried.append(Drawn(mu, draw(mu)))
+    return tried[-1]
 
 
 def _apart(view: View, groups: Sequence[Group]) -> tuple[Item, ...]:

@@ -177,7 +177,7 @@ class InitialData(BookView):
 
     @cached_property
     def scheme(self) -> Drawn:
-        return self.schemes.in_text(self.position)
+        return self.schemes.in_text(self.position, small=not self.page.note.every)
 
     def scheme_scale(self) -> Var:
         """mu_l with the scale at which the scheme is drawn."""

@@ -23,12 +23,12 @@ from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Formula, Number, Var
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.paper import read_places
-from tmm_report.quantity.symbols import segment
+from tmm_report.quantity.symbols import Symbol, segment
 from tmm_report.quantity.terms.kinds import Kinds
 from tmm_report.quantity.text import short_and_full
 from tmm_report.quantity.written import DIGITS
 from tmm_report.report.chapter_view import BookView
-from tmm_report.report.comparison import comparison_table
+from tmm_report.report.comparison import comparison_table, side_by_side
 from tmm_report.report.diagrams import scale_of
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Table, worded
@@ -180,19 +180,24 @@ class PlansView(BookView):
         heads = [self.t("Contour, axis"), *heads, self.t("Right side")]
         return worded(caption, heads, rows, [1.0] * len(heads))
 
-    def senses(self, caption: Any, plan: Plan) -> Table:
-        """How the senses of a plan's angular velocities or accelerations are found, a row a link."""
-        table = self.table(q.senses_name(plan))
+    def plans_with_senses(self, drawn: Drawn) -> list[Plan]:
+        return [plan for plan in (drawn.velocity, drawn.acceleration) if plan.senses]
+
+    def senses(self, caption: Any, *plans: Plan) -> Table:
+        """How the senses of the plans' angular velocities or accelerations are found, a row a link; of several plans
+        the rates are named."""
+        rows = []
+        for plan in plans:
+            table, letter = self.table(q.senses_name(plan)), "omega" if plan.kind == "v" else "epsilon"
+            for row, one in enumerate(plan.senses):
+                link = self.page.word(one.link, table, "link", row)
+                named = [self.page.sym(Symbol(letter, one.link))] if len(plans) > 1 else []
+                sense = self.page.word(self.t(SENSE[one.sense]), table, "sense", row)
+                rows.append([link, *named, *self._shown_by(one, table, row), sense])
         heads = [self.t("Link"), self.t("Vector"), self.t("Moved to the point"), self.t("Turns the link")]
-        rows = [
-            [
-                self.page.word(one.link, table, "link", row),
-                *self._shown_by(one, table, row),
-                self.page.word(self.t(SENSE[one.sense]), table, "sense", row),
-            ]
-            for row, one in enumerate(plan.senses)
-        ]
-        return worded(caption, heads, rows, (1, 2, 2, 4))
+        if len(plans) > 1:
+            heads.insert(1, self.t("Quantity"))
+        return worded(caption, heads, rows, (1, *([1] if len(plans) > 1 else []), 2, 2, 4))
 
     def _shown_by(self, one: Sense, table: model.Table, row: int) -> list[Any]:
         if one.like:
@@ -202,9 +207,14 @@ class PlansView(BookView):
             self.page.word(self.page.sym(one.to), table, "to", row),
         ]
 
-    def comparison(self, caption: Any, drawn: Drawn) -> Table:
-        """What was measured in both plans, and its values by all methods."""
+    def comparison(self, caption: Any, drawn: Drawn, *beside: Drawn) -> Table:
+        """What was measured in both plans of a position, or of several, and its values by all methods."""
         table = self.table(f"comparison_{drawn.position}")
+        if beside:
+            every = (drawn, *beside)
+            tables = {one.position: self.table(f"comparison_{one.position}") for one in every}
+            segments = {one.position: self._segments(one) for one in every}
+            return side_by_side(self.page, caption, tables, self.named, segments)
         own = self.readings.compared(drawn.position) if self.readings and self.has_own(drawn) else None
         return comparison_table(
             self.page, caption, table, self.named, drawn.position, self._segments(drawn), own
@@ -225,9 +235,20 @@ class PlansView(BookView):
                 found[key] = Cell(full, worked.by_key(laid, "value", plan.position))
         return {key: Cell(cell.full, cell.ref) for key, cell in found.items()}
 
-    def compared(self, worked: bool) -> list[Drawn]:
-        """The positions whose plans always stand in the text, or the others."""
-        return [drawn for drawn in self.found.drawn if (drawn.position in self.worked) == worked]
+    def compared(self, worked: bool) -> list[list[Drawn]]:
+        """The positions whose plans always stand in the text, or the others: those of a table. A shorter note that
+        compares all has two of them in one, without telling worked ones from others."""
+        if self.page.note.every or self.page.note.stand("plans.compared") != "body" or self.owned():
+            return [[one] for one in self.found.drawn if (one.position in self.worked) == worked]
+        drawn, tables = [*self.found.drawn] if worked else [], []
+        while drawn:
+            tables.append([drawn.pop(0)])
+            if drawn and self._keys(drawn[0]) == self._keys(tables[-1][0]):
+                tables[-1].append(drawn.pop(0))
+        return tables
+
+    def _keys(self, drawn: Drawn) -> set[str]:
+        return {one.key for one in drawn.comparison}
 
     def has_own(self, drawn: Drawn) -> bool:
         """Whether a student read values off the plans of a position."""

@@ -29,7 +29,7 @@ from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.diagrams import scale_of
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Table, worded
+from tmm_report.report.paper.layout import Cell, Table, worded
 from tmm_report.report.part import Part
 from tmm_report.report.schemes import Schemes
 from tmm_report.report.words import (
@@ -200,7 +200,8 @@ class StructureView(BookView):
 
     @cached_property
     def groups_drawn(self) -> Drawn:
-        return self.schemes.groups(self.found.linkage.structure.groups, self.position)
+        groups, small = self.found.linkage.structure.groups, not self.page.note.every
+        return self.schemes.groups(groups, self.position, small)
 
     def groups_scale(self) -> Var:
         """mu_l with the scale at which the groups are drawn apart."""
@@ -380,6 +381,20 @@ class StructureView(BookView):
                 rows.append([other.link, structural_formula(other.structure), class_])
         heads = [self.t("Driving link"), self.t("Structural formula"), self.t("Class")]
         return worded(caption, heads, rows, (2, 8, 2))
+
+    def other_drivers(self) -> list[Markup]:
+        """The same in words, where it is short."""
+        found, table = self.found.alternatives, self.table("drivers") if self.found.alternatives else None
+        whole = [other.structure for other in found if other.structure is not None]
+        if self.page.note.every or self.stroke is not None or table is None or len(whole) < len(found):
+            return []
+        text = N_("with driving link %(link)s it is %(formula)s, class %(class)s")
+        said = []
+        for k, (other, structure) in enumerate(zip(found, whole, strict=True)):
+            class_ = self.page.said(Cell(roman(structure.mechanism_class), table.ref("class", k)))
+            formula = self.page.text(structural_formula(structure))
+            said.append(self.t(text, link=other.link, formula=formula, **{"class": class_}))
+        return said
 
     @property
     def taken_apart(self) -> list[str]:
