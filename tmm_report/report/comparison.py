@@ -74,8 +74,9 @@ def _rows(
     rows = {
         str(key): _compared(page, table, named, position, row) for row, key in enumerate(table["key"].values)
     }
-    for key, row in rows.items() if segments is not None else ():
-        row.insert(1, segments.get(key, DASH))
+    if segments is not None:
+        for key, row in rows.items():
+            row.insert(1, segments.get(key, DASH))
     return rows
 
 
