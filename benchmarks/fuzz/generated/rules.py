@@ -268,15 +268,15 @@ NAMED: Mapping[str, Sequence[Any]] = {
     "CamModel.cam": ("1",),
     "CamModel.centre": ("K", "W"),
     "Variant.decimal_sign": ("comma", "point"),
-    "NoteModel.body": ("kinematics.contours", "plans"),
-    "NoteModel.appendix": ("kinematics", "balancing.left"),
-    "NoteModel.omit": ("structure.driving_links", "flywheel"),
+    "Note.body": ("kinematics.contours", "plans"),
+    "Note.appendix": ("kinematics", "balancing.left"),
+    "Note.omit": ("structure.driving_links", "flywheel"),
     "NoteProfileModel.language": ("ru", "en"),
     "NoteProfileModel.words": ("ru", "kk", "en"),
 }
 
 SIZED: Mapping[str, tuple[int, int]] = {
-    **dict.fromkeys(("NoteModel.body", "NoteModel.appendix", "NoteModel.omit"), (1, 1)),
+    **dict.fromkeys(("Note.body", "Note.appendix", "Note.omit"), (1, 1)),
     "DynamicsModel.parts": (1, 3),
     "DynamicsModel.resistance": (1, 2),
     "DynamicsModel.springs": (1, 2),
