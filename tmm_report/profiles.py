@@ -24,6 +24,8 @@ Dash = Literal["long", "short"]
 Base = Literal["gost", "plain", "dstu", "kz"]
 DEFAULT: Base = "gost"
 A4 = (210.0, 297.0)  # mm
+# mm: the frame, what GOST 2.105 (3.6) leaves between it and the text, and below the title block of form 2a
+WITHIN_FRAME = {"left": 20.0 + 3.0, "right": 5.0 + 3.0, "top": 5.0 + 10.0, "bottom": 5.0 + 15.0 + 10.0}
 NAMES: tuple[Base, ...] = get_args(Base)
 
 
@@ -112,6 +114,7 @@ class Profile:
     where: Where
     page_number: Place
     signatures: bool
+    frames: bool  # and title blocks, in which the numbers of the pages stand
     words: Mapping[str, Mapping[str, str]]
     language: str | None = None
 
@@ -167,8 +170,11 @@ def merged(under: Mapping[str, Any], over: Mapping[str, Any]) -> dict[str, Any]:
 def _record(found: Mapping[str, Any]) -> Profile:
     headings = {kind: Heading(**one) for kind, one in found["headings"].items()}
     text = {**found["text"], **{name: _mm(found["text"][name]) for name in ("indent", "gap")}}
+    margins = {side: _mm(size) for side, size in found["margins"].items()}
+    if found["frames"]:
+        margins = {side: max(size, WITHIN_FRAME[side]) for side, size in margins.items()}
     made = {
-        "margins": Margins(**{side: _mm(size) for side, size in found["margins"].items()}),
+        "margins": Margins(**margins),
         "text": Text(**text),
         "headings": Headings(**headings),
         "captions": Captions(**found["captions"]),

@@ -143,19 +143,19 @@ def _near_origin(drawing: Drawing) -> Drawing:
 def svg(drawing: Drawing, turned: bool = False) -> str:
     """The drawing as one `svg` element of its size in mm; no ids, no scripts, nothing fetched.
 
-    `turned`: by 90° counter-clockwise, as a wide sheet lies in a tall page.
+    `turned`: by 90° clockwise, as a tall page lies with its binding above.
     """
     drawing = _near_origin(drawing)
     left, bottom, right, top = drawing.box
     wide, tall = written(right - left), written(top - bottom)
-    corner = (-top, -right) if turned else (left, -top)
+    corner = (bottom, left) if turned else (left, -top)
     size = (tall, wide) if turned else (wide, tall)
     head = (
         f'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="{size[0]}mm" height="{size[1]}mm"'
         f' viewBox="{written(corner[0])} {written(corner[1])} {size[0]} {size[1]}">'
     )
     look = 'fill="none" stroke-linecap="round" stroke-linejoin="round"' + (
-        ' transform="rotate(-90)"' if turned else ""
+        ' transform="rotate(90)"' if turned else ""
     )
     style = f'<g {look} font-family="{_FONTS}" font-size="{TEXT}">'
     places: list[complex] = []

@@ -25,6 +25,7 @@ from tmm_report.resources import data_root
 
 if TYPE_CHECKING:
     from tmm_report.report.own import Own
+    from tmm_report.report.paper.frames import Frames
 
 FORMATS: dict[str, Callable[[], Html | Tex]] = {"html": lambda: Html(breaking=True), "tex": Tex, "png": Png}
 
@@ -91,9 +92,16 @@ def _written(
     body = [*listed, chapter("introduction", failed=failed), *body]
     page.numbering.end_front()
     head = chapter("title") + (chapter("assignment") if given["assignment"] else "")
-    text = template(f"report.{fmt}.j2").render(given, head=head, body=body, **_own_files(fmt))
+    frames = _frames(given["title"], page) if page.profile.frames else None
+    text = template(f"report.{fmt}.j2").render(given, head=head, body=body, frames=frames, **_own_files(fmt))
     text = page.numbering.resolved(text, page.note.whole and own is None)
     return joined(text, fmt, page.called("where"), page.called("here"), page.profile.dash_sign)
+
+
+def _frames(title: Title, page: Page) -> Frames:
+    from tmm_report.report.paper.frames import Frames  # few notes have them
+
+    return Frames(title, page)
 
 
 def _conclusions(parts: Sequence[Part]) -> list[Markup]:

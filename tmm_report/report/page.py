@@ -33,7 +33,7 @@ from tmm_report.quantity.written import Equation, explained
 from tmm_report.report import diagrams
 from tmm_report.report.bytecode import bytecode_cache
 from tmm_report.report.formats import Format
-from tmm_report.report.numbering import Appendix, Numbering, Place
+from tmm_report.report.numbering import Appendix, Numbering, Place, Section
 from tmm_report.report.paper import layout
 from tmm_report.report.paper.layout import Cell, Words, runs
 from tmm_report.report.paper.sheets import Paper
@@ -127,7 +127,7 @@ class Page:
         """`note`: how much the note says; `profile`: how it looks, by default as the standard has it."""
         self.form, self.tr, self.numbering, self.note = form, tr, numbering, note
         self.profile = profile or shipped()
-        self.form.paper = Paper(self.profile.margins, self.profile.text)
+        self.form.paper = Paper(self.profile.margins, self.profile.text, self.profile.frames)
         self.numbering.scheme = self.profile.numbers
         self.appendices: list[Appendix] = []
         self.symbols = SymbolList()
@@ -253,6 +253,14 @@ class Page:
             for item in items
         ]
         return self.numbering.fresh(told)
+
+    def lines_of_first_sheet(self, sections: Sequence[Section]) -> int:
+        """How many lines of the contents stand above the larger title block of the first sheet; 0: it has none."""
+        if not self.profile.frames:
+            return 0
+        from tmm_report.report.paper.frames import lines_above_first
+
+        return lines_above_first(sections, self)
 
     def contents(self) -> list[Markup]:
         """The numbered chapters written so far, by their titles."""

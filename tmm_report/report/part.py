@@ -25,6 +25,21 @@ class Title(Protocol):
     @property
     def topic(self) -> str: ...
 
+    @property
+    def designation(self) -> str: ...
+
+    @property
+    def institution(self) -> str: ...
+
+    @property
+    def student(self) -> str: ...
+
+    @property
+    def group(self) -> str: ...
+
+    @property
+    def teacher(self) -> str: ...
+
 
 class Note(Protocol):
     """How much the note says: whether letters are `listed` in front, whether nothing is left out, whether `every`

@@ -7,13 +7,15 @@ PRINT = ("tests/commands/test_printing.py",)
 FRONT = ("tests/report/test_front_matter.py",)
 DEPARTMENT = ("tests/batches/test_department.py",)
 OWN = ("tests/report/test_own_template.py",)
+FRAMES = ("tests/report/paper/test_frames.py",)
 THINNED = ("tests/figures/test_thinning.py",)
 FAULTS = (
     Fault("a binding margin of the print that is not the profile's", "templates/profile.css.j2",
           "{{ p.margins.bottom }}mm {{ p.margins.left }}mm", "{{ p.margins.bottom }}mm {{ p.margins.left - 5 }}mm",
           tests=PROFILES),
     Fault("room for pictures that does not follow the margins", "tmm_report/report/page.py",
-          "self.form.paper = Paper(self.profile.margins, self.profile.text)", "pass", tests=PROFILES),
+          "self.form.paper = Paper(self.profile.margins, self.profile.text, self.profile.frames)", "pass",
+          tests=PROFILES),
     Fault("a base that goes before what is stated over it", "tmm_report/profiles.py",
           "return {**under, **over, **inner}", "return {**over, **under, **inner}", tests=PROFILES),
     Fault("figures numbered through where they begin with the section", "tmm_report/report/numbering.py",
@@ -59,6 +61,18 @@ FAULTS = (
           "page.form.due() + own.written(", "own.written(", tests=OWN),
     Fault("a mistake of a department's template without its line", "tmm_report/report/own/__init__.py",
           "line = self.template.get_corresponding_lineno(trace.tb_lineno)", "line = 1", tests=OWN),
+    Fault("the number of a page beside its cell", "tmm_report/figures/title_block.py",
+          "NEXT = Form(15.0, (175.0, 0.0,", "NEXT = Form(15.0, (165.0, 0.0,", tests=FRAMES),
+    Fault("the larger title block on all pages of the contents", "templates/frames.css.j2",
+          ".opening { page: opening; }", ".contents { page: opening; }", tests=("tests/report/paper/test_frames.py",)),
+    Fault("margins that leave no room for the frame", "tmm_report/profiles.py", 'if found["frames"]:', "if False:",
+          tests=FRAMES),
+    Fault("text of a title block over its cell", "tmm_report/figures/title_block.py",
+          "_cut(line, size, room, n == held - 1 < len(lines) - 1) for n", "line for n", tests=FRAMES),
+    Fault("a line of form 2a left out", "tmm_report/figures/title_block.py", "(7, 17, 40, 55, 65, 175)",
+          "(7, 17, 40, 55, 65)", tests=FRAMES),
+    Fault("the block of a turned sheet as of an upright one", "templates/frames.css.j2",
+          '{{ block("turned", next, true) }}', '{{ block("following", next) }}', tests=FRAMES),
     Fault("the positions of a diagram left out of its curve", "tmm_report/figures/thinning.py",
           "place in those for stroke", "False for stroke", tests=THINNED),
     Fault("one stroke thinned over into the next", "tmm_report/figures/thinning.py",

@@ -150,6 +150,9 @@ class NoteProfileModel(Model):
     signatures: Flag | None = Field(
         default=None, description="a line to sign on behind each name of the title page"
     )
+    frames: Flag | None = Field(
+        default=None, description="frames and title blocks of GOST 2.104 (forms 2 and 2a) on the pages"
+    )
     language: Code | None = Field(
         default=None, description="whose words stand; left out, those of the note's language"
     )

@@ -52,6 +52,7 @@ class Paper:
 
     margins: Margins
     text: Text
+    frames: bool = False
 
     @property
     def width(self) -> float:
@@ -87,7 +88,8 @@ class Paper:
     def sheets(self) -> tuple[Sheet, ...]:
         """From the smallest on. A page that is turned has its margin for the binding above."""
         left, right = self.margins.left, self.margins.right
-        turned = Sheet("a4", A4[1], A4[0], (A4[1] - 2 * SIDE, A4[0] - left - right), (SIDE, left))
+        ends = (self.margins.bottom, self.margins.top) if self.frames else (SIDE, SIDE)
+        turned = Sheet("a4", A4[1], A4[0], (A4[1] - sum(ends), A4[0] - left - right), (ends[0], left))
         return (turned, *(self._standing(*size) for size in SIZES))
 
     def _standing(self, name: str, wide: float, tall: float) -> Sheet:

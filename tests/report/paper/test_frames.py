@@ -1,0 +1,239 @@
+"""Frames and title blocks of GOST 2.104 on the pages of a note, measured as the browser and LaTeX print them."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+import pytest
+from browser import browser, opened
+from conftest import solved
+from notes import program
+from typesetting import set_by_tex
+
+from tmm_report import render
+from tmm_report.figures.drawing import Drawing, Text
+from tmm_report.figures.drawing import Path as Lines
+from tmm_report.figures.title_block import FIRST, NEXT, Said, first, following
+from tmm_report.profiles import shipped, stated
+
+NAME = "crank_rocker"
+FRAMED = stated(
+    "gost", {"frames": True, "margins": {"left": "37 mm", "right": "21 mm"}, "text": {"size": 16}}
+)
+FORMATS = ["html", pytest.param("tex", marks=pytest.mark.exhaustive)]
+DOTS = 10  # a millimetre
+MM = 25.4 / 72  # of a point of the PDF
+CODE = "ТММ.05.12.000 ПЗ"
+# GOST 2.104-2006, forms 2 and 2a, mm from the lower left corner of the block: x, y, to x, to y
+BLOCKS = {
+    "first": [
+        (0, 40, 185, 40), (0, 30, 65, 30), (0, 25, 185, 25), (135, 20, 185, 20), (135, 15, 185, 15), (7, 25, 7, 40),
+        (17, 0, 17, 40), (40, 0, 40, 40), (55, 0, 55, 40), (65, 0, 65, 40), (135, 0, 135, 25), (150, 15, 150, 25),
+        (165, 15, 165, 25), (140, 15, 140, 20), (145, 15, 145, 20),
+        *((0, y, 65, y) for y in (5, 10, 15, 20, 35)),
+    ],
+    "next": [
+        (0, 15, 185, 15), (175, 8, 185, 8), (0, 5, 65, 5), (0, 10, 65, 10), (7, 0, 7, 15), (17, 0, 17, 15),
+        (40, 0, 40, 15), (55, 0, 55, 15), (65, 0, 65, 15), (175, 0, 175, 15),
+    ],
+}  # fmt: skip
+
+
+@cache
+def note(fmt: str) -> dict[str, bytes]:
+    results = solved(NAME)
+    title = replace(results.variant.title, designation=CODE)
+    variant = replace(results.variant, profile=FRAMED, title=title)
+    return render(replace(results, variant=variant), fmt, "ru", "course")
+
+
+@cache
+def printed(fmt: str) -> bytes:
+    if fmt == "tex":
+        return set_by_tex(note("tex"), whole=True)[1]
+    with TemporaryDirectory(ignore_cleanup_errors=True) as place, browser(Path(place)) as talk:
+        return opened(talk, Path(place), "framed", note("html")["note.html"], print_it=True).pdf
+
+
+Word = tuple[
+    float, float, float, float, str
+]  # left, right, below, above from the lower left corner, mm; what it is
+
+
+@cache
+def pages(fmt: str) -> list[tuple[float, float, list[Word]]]:
+    """Width, height and words of each page."""
+    text = subprocess.run(
+        [program("pdftotext"), "-bbox", "-", "-"], input=printed(fmt), capture_output=True, check=True
+    )
+    found = []
+    for size, body in re.findall(r"<page (.*?)>(.*?)</page>", text.stdout.decode(), re.S):
+        wide, tall = (float(one) * MM for one in re.findall(r'"([\d.]+)"', size))
+        boxes = re.findall(
+            r'xMin="([-\d.]+)" yMin="([-\d.]+)" xMax="([-\d.]+)" yMax="([-\d.]+)">(.*?)</word>', body
+        )
+        own = [
+            (float(a) * MM, float(c) * MM, tall - float(d) * MM, tall - float(b) * MM, word)
+            for a, b, c, d, word in boxes
+        ]
+        found.append((wide, tall, own))
+    return found
+
+
+@cache
+def ink(fmt: str, number: int) -> np.ndarray:
+    """Where a page is dark; rows from below, DOTS a millimetre."""
+    with TemporaryDirectory() as folder:
+        (Path(folder) / "note.pdf").write_bytes(printed(fmt))
+        command = [program("pdftoppm"), "-r", str(25.4 * DOTS), "-gray", "-f", str(number), "-l", str(number)]
+        subprocess.run([*command, f"{folder}/note.pdf", f"{folder}/page"], check=True)
+        (file,) = Path(folder).glob("page-*.pgm")
+        _, size, _, body = file.read_bytes().split(b"\n", 3)
+    wide, high = map(int, size.split())
+    return np.frombuffer(body, np.uint8).reshape(high, wide)[::-1] < 160
+
+
+def drawn(dark: np.ndarray, line: tuple[float, float, float, float]) -> bool:
+    """Whether there is a straight line from one place to another, mm, within 0.2 mm."""
+    x, y, to, up = (DOTS * one for one in line)
+    along, across = ((x, to), y) if y == up else ((y, up), x)
+    band = dark if y == up else dark.T
+    near = band[round(across) - 2 : round(across) + 3, round(along[0]) + 3 : round(along[1]) - 3]
+    return bool(near.any(axis=0).mean() > 0.99)
+
+
+def on_page(
+    lines: list[tuple[float, float, float, float]], wide: float
+) -> list[tuple[float, float, float, float]]:
+    left = wide - 190
+    return [(left + x, 5 + y, left + to, 5 + up) for x, y, to, up in lines]
+
+
+def frame(
+    wide: float, tall: float, left: float = 20, above: float = 5
+) -> list[tuple[float, float, float, float]]:
+    low, right, high = 5, wide - 5, tall - above
+    return [
+        (left, low, right, low),
+        (left, high, right, high),
+        (left, low, left, high),
+        (right, low, right, high),
+    ]
+
+
+def within(words: list[Word], left: float, below: float, right: float, above: float) -> list[str]:
+    return [
+        one[4] for one in words if left <= one[0] and one[1] <= right and below <= one[2] and one[3] <= above
+    ]
+
+
+@pytest.mark.parametrize("fmt", FORMATS)
+def test_each_page_has_its_frame_and_its_form(fmt):
+    blank = np.zeros((2970, 2100), bool)
+    assert not drawn(blank, (20, 5, 205, 5))
+    for number, form in ((1, []), (2, BLOCKS["first"]), (3, BLOCKS["next"]), (5, BLOCKS["next"])):
+        dark = ink(fmt, number)
+        missing = [line for line in [*frame(210, 297), *on_page(form, 210)] if not drawn(dark, line)]
+        assert not missing
+    assert not drawn(ink(fmt, 1), (20, 20, 205, 20)) and not drawn(ink(fmt, 3), (20, 45, 205, 45))
+
+
+@pytest.mark.parametrize("fmt", FORMATS)
+def test_the_numbers_stand_in_the_blocks(fmt):
+    found = pages(fmt)
+    assert within(found[1][2], 170, 20, 185, 25.5) == ["2"]
+    assert within(found[1][2], 185, 20, 205, 25.5) == [str(len(found))]
+    assert CODE in " ".join(within(found[1][2], 85, 30, 205, 45))
+    standing = [(k, own) for k, (wide, _, own) in enumerate(found, 1) if k > 2 and round(wide) == 210]
+    assert len(standing) > 20
+    for k, own in standing:
+        assert within(own, 195, 4.5, 205, 13) == [str(k)]
+        assert " ".join(within(own, 85, 5, 195, 20)) == CODE
+    assert len(within(found[2][2], 37, 30, 189, 282)) > 5  # the contents go on under the smaller block
+    assert not [one for one in found[0][2] if one[2] < 15 or one[3] > 285]
+
+
+@pytest.mark.parametrize("fmt", FORMATS)
+def test_the_text_keeps_its_distance_from_frame_and_block(fmt):
+    """GOST 2.105, 3.6: 3 mm at the sides, 10 mm above and below."""
+    for k, (wide, tall, own) in enumerate(pages(fmt)):
+        if round(wide) == 210 and k:
+            top = 45 if k == 1 else 20
+            text = [one for one in own if one[3] > 5 + top]
+            assert min(one[0] for one in text) >= 23 and max(one[1] for one in text) <= 202
+            below = 0.3 * FRAMED.text.size * MM  # what hangs below the last line
+            assert (
+                min(one[2] for one in text) >= top + 10 - below and max(one[3] for one in text) <= tall - 14.5
+            )
+
+
+@pytest.mark.parametrize("fmt", FORMATS)
+def test_a_sheet_on_its_side_has_its_block_along_its_short_side(fmt):
+    number = next(
+        k for k, (wide, tall, _) in enumerate(pages(fmt), 1) if (round(wide), round(tall)) == (297, 210)
+    )
+    dark = ink(fmt, number)
+    # the page as it stands when its binding is at the left
+    assert not [
+        line for line in [*frame(210, 297), *on_page(BLOCKS["next"], 210)] if not drawn(dark.T[:, ::-1], line)
+    ]
+    place = [(one[0], one[2]) for one in pages(fmt)[number - 1][2] if one[4] == str(number)]
+    assert any(5 <= x <= 13 and 4.5 <= y <= 15 for x, y in place)
+
+
+def test_the_margins_grow_to_what_a_frame_needs():
+    plain = stated("gost", {"frames": True}).margins
+    assert (plain.left, plain.right, plain.top, plain.bottom) == (30, 15, 20, 30)
+    small = stated(
+        "plain", {"frames": True, "margins": dict.fromkeys(("left", "right", "top", "bottom"), "1 mm")}
+    )
+    assert (small.margins.left, small.margins.right, small.margins.top, small.margins.bottom) == (
+        23,
+        8,
+        15,
+        30,
+    )
+    assert (
+        not shipped().frames and "top-left-corner" not in render(solved(NAME), "html")["note.html"].decode()
+    )
+
+
+LONG = "Проектирование и исследование механизмов поперечно-строгального станка с вращающейся кулисой " * 4
+WORDS = {word: word for word in ("Изм.", "Лист", "№ докум.", "Подп.", "Дата", "Лит.", "Листов")}
+CELLS = [(65, 25, 185, 40), (65, 0, 135, 25), (135, 0, 185, 15), (0, 0, 17, 25), (17, 0, 40, 25)]
+
+
+@pytest.mark.parametrize("text", ["", "ПЗ", LONG, "W" * 300, "\\input{x}%</svg>$", "\u202e" + "Ж" * 50])
+def test_what_is_written_stays_in_its_cell(text):
+    said = Said(text, text, text, [(text, text)] * 5, WORDS)
+    for block, form in ((first(said), FIRST), (following(said), NEXT)):
+        assert block.box == (0, 0, 185, form.tall)
+        for one in texts(block):
+            left, low, right, high = one.box
+            lines = [
+                line
+                for line in corners(block)
+                if crosses(line, left + 0.1, low + 0.4, right - 0.1, high - 0.4)
+            ]
+            assert not lines, (one, lines)
+    if len(text) > 200:
+        assert any(one.parts[0].endswith("…") for one in texts(first(said)))
+
+
+def texts(block: Drawing) -> list[Text]:
+    return [item for item in block.items if isinstance(item, Text)]
+
+
+def corners(block: Drawing) -> list[tuple[complex, ...]]:
+    return [stroke for item in block.items if isinstance(item, Lines) for stroke in item.strokes]
+
+
+def crosses(line: tuple[complex, ...], left: float, low: float, right: float, high: float) -> bool:
+    (x, to), (y, up) = sorted(z.real for z in line), sorted(z.imag for z in line)
+    return x < right and to > left and y < high and up > low

@@ -1,0 +1,150 @@
+"""Frames and title blocks by GOST 2.104 on the pages of a note: what its style sheet and LaTeX put in.
+
+frames = Frames(title, page)
+frames.first, frames.following      # the blocks as drawings
+frames.css("first", face)           # url("data:…")
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+from urllib.parse import quote
+
+from markupsafe import Markup
+
+from tmm_report.figures.drawing import Drawing, svg, tikz
+from tmm_report.figures.title_block import FIRST, NEXT, THICK, WIDE, Form, Said, first, following
+from tmm_report.problems import N_
+from tmm_report.profiles import A4
+from tmm_report.report.paper.measure import letters
+from tmm_report.report.paper.sheets import POINT
+from tmm_report.report.part import Title
+
+if TYPE_CHECKING:
+    from tmm_report.report.numbering import Section
+    from tmm_report.report.page import Page
+
+BINDING, EDGE = 20.0, 5.0  # mm: from the frame to the edges of the sheet, at the left and at the others
+LINE = 0.53  # mm: width of the frame, two dots of a browser, which knows no parts of them in a border
+WORDS = {
+    "Изм.": N_("Rev."), "Лист": N_("Sheet"), "№ докум.": N_("Doc. No."), "Подп.": N_("Sign."), "Дата": N_("Date"),
+    "Лит.": N_("Let."), "Листов": N_("Sheets"),
+}  # fmt: skip
+ROLES = (N_("Drawn by"), N_("Checked by"), "", N_("Std. check"), N_("Approved by"))
+Cell = tuple[float, float, float, float]
+
+
+class Frames:
+    """Frames of the sheets of one note, their title blocks and the places of their numbers."""
+
+    line = LINE
+
+    def __init__(self, title: Title, page: Page):
+        self.title, self.page = title, page
+
+    @cached_property
+    def said(self) -> Said:
+        name, t = self.page.name, self.page.tr.gettext
+        people = [name(self.title.student), name(self.title.teacher), "", "", ""]
+        own = [name(text) for text in (self.title.institution, self.title.group) if text]
+        roles = [t(role) if role else "" for role in ROLES]
+        return Said(
+            name(self.title.designation),
+            name(self.title.topic),
+            ", ".join(own),
+            list(zip(roles, people, strict=True)),
+            {word: t(text) for word, text in WORDS.items()},
+        )
+
+    @cached_property
+    def first(self) -> Drawing:
+        return first(self.said)
+
+    @cached_property
+    def following(self) -> Drawing:
+        return following(self.said)
+
+    def tikz(self, name: str) -> Markup:
+        """A block, "first" or "following", as LaTeX reads it from a file of its own."""
+        drawing: Drawing = getattr(self, name)
+        file = f"figures/{name}.tex"
+        self.page.form.files[file] = tikz(drawing).encode()
+        return Markup(rf"\input{{{file}}}\unskip")
+
+    def css(self, name: str, face: str, turned: bool = False) -> Markup:
+        """A block as a picture of a style sheet, with the face of its letters, for a picture sees none of its page."""
+        drawing: Drawing = replace(getattr(self, name), margin=THICK.width / 2)
+        style = (
+            f'<style>@font-face{{font-family:"Note Serif";src:url(data:font/woff2;base64,{face})}}</style>'
+        )
+        text = svg(drawing, turned).replace("<g ", f"{style}<g ", 1)
+        return Markup('url("data:image/svg+xml,' + quote(text, safe=" /:;=,@+()'!*-._~{}&") + '")')
+
+    def frame(self, wide: float, tall: float, turned: bool = False) -> Cell:
+        """The frame of a sheet with its line: left, top, width and height, mm."""
+        left, top, right, bottom = (EDGE, BINDING, EDGE, EDGE) if turned else (BINDING, EDGE, EDGE, EDGE)
+        half = LINE / 2
+        return left - half, top - half, wide - left - right + LINE, tall - top - bottom + LINE
+
+    def size(self, form: Form, turned: bool) -> tuple[float, float]:
+        """Width and height of the picture of a block: it has its lines whole."""
+        size = (WIDE + THICK.width, form.tall + THICK.width)
+        return size[::-1] if turned else size
+
+    @property
+    def inside(self) -> float:
+        """How far that picture stands inside the outer edge of the frame's line, mm."""
+        return (LINE - THICK.width) / 2
+
+    def number(self, wide: float) -> Cell:
+        """Where the number of a sheet stands, from its lower left corner."""
+        return _on_sheet(NEXT.number, wide)
+
+    @property
+    def number_turned(self) -> Cell:
+        """That of an A4 that lies on its side, turned with it."""
+        left, bottom, width, height = self.number(A4[0])
+        return bottom, A4[0] - left - width, height, width
+
+    @property
+    def number_first(self) -> Cell:
+        return _on_sheet(FIRST.number, A4[0])
+
+    @property
+    def sheets_first(self) -> Cell:
+        """Where the number of all sheets stands on the first one."""
+        assert FIRST.sheets is not None
+        return _on_sheet(FIRST.sheets, A4[0])
+
+    @property
+    def lower(self) -> float:
+        """By how much the text of the first sheet ends higher than that of the next ones, mm."""
+        return FIRST.tall - NEXT.tall
+
+    @property
+    def forms(self) -> tuple[Form, Form]:
+        return FIRST, NEXT
+
+
+HEAD = 22.0  # mm: what the heading of the contents takes
+SPACING = 1.2  # of the lines of the contents, in sizes of their letters
+ASIDE = 35.0  # mm: what of a line is its indent, its number and that of its page
+
+
+def lines_above_first(sections: Sequence[Section], page: Page) -> int:
+    """How many lines of the contents the first sheet holds above its title block."""
+    paper, size = page.form.paper, page.profile.text.size * POINT
+    room = int((paper.height - (FIRST.tall - NEXT.tall) - HEAD) / (SPACING * size))
+    for number, section in enumerate(sections):
+        room -= 1 + int(size * letters(section.title) / (paper.width - ASIDE))
+        if room < 0:
+            return number
+    return len(sections)
+
+
+def _on_sheet(cell: Cell, wide: float) -> Cell:
+    left, bottom, width, height = cell
+    return wide - EDGE - WIDE + left, EDGE + bottom, width, height
