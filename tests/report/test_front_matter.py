@@ -63,6 +63,11 @@ def test_where_two_names_differ_letters_stand_for_them():
     assert lines(*reactions) == [("R 01 , R 12 , R 23", "reaction of link i on link j")]
 
 
+def test_signs_of_a_line_stand_as_in_an_index_whatever_comes_first_in_the_note():
+    masses = [(Symbol("m", k), Message("mass of link %(of)s", {"of": k}), "kg") for k in ("10", "2", "1")]
+    assert lines(*masses) == [("m 1 , m 2 , m 10", "mass of link 1, 2, 10")]
+
+
 def test_latin_letters_stand_before_greek_ones():
     plain = [(Symbol(base), Message(base), "") for base in ("omega", "v", "alpha", "M", "a")]
     assert [symbol for symbol, _ in lines(*plain)] == ["a", "M", "v", "α", "ω"]

@@ -5,6 +5,7 @@ What differs only by names of points or links is one line: v_A, v_B, v_S2 – ve
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import field
@@ -55,6 +56,8 @@ class SymbolList:
         for one in self._found.values():
             text = one.meaning.text if isinstance(one.meaning, Message) else str(one.meaning)
             groups.setdefault((one.sign.base, text, one.unit), []).append(one)
+        for group in groups.values():
+            group.sort(key=lambda one: _order(one.sign))
         ordered = sorted(groups.values(), key=lambda group: _order(group[0].sign))
         return _once([_line(group, page) for group in ordered])
 
@@ -75,10 +78,12 @@ def _once(lines: Sequence[Line]) -> list[Line]:
     ]
 
 
-def _order(sign: Symbol) -> tuple[bool, str, str, str, str]:
+def _order(sign: Symbol) -> tuple[bool, str, str, list[str | int], str]:
+    """As in an index: m_2 before m_10."""
     greek = sign.base in GREEK
     plain = unicodedata.normalize("NFKD", GREEK.get(sign.base, sign.base))
-    return (greek or not plain[:1].isascii(), plain.lower(), plain, sign.sub, sign.sup)
+    index = [int(one) if one.isdecimal() else one for one in re.split(r"(\d+)", sign.sub)]
+    return (greek or not plain[:1].isascii(), plain.lower(), plain, index, sign.sup)
 
 
 def _line(group: Sequence[Meant], page: Any) -> Line:
