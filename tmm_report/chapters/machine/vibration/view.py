@@ -129,6 +129,13 @@ class VibrationView(ChapterView):
         return self.s.number("gamma") > 1
 
     def given_values(self) -> Markup:
+        return self.listed(self._stated)
+
+    def explained_given(self) -> list[dict[str, Any]]:
+        return self.explained(*self._stated)
+
+    @cached_property
+    def _stated(self) -> list[str]:
         """What the variant states, in the order of the model."""
         given, stand, hung = self.given, self.given.foundation, self.given.absorber
         several = given.isolators > 1
@@ -156,10 +163,18 @@ class VibrationView(ChapterView):
             "place": given.start.place != 0,
             "speed": given.start.rate != 0,
         }
-        return self.listed(key for key, is_so in stated.items() if is_so)
+        return [key for key, is_so in stated.items() if is_so]
 
     def equation(self) -> Equation:
         return equation(self.found)
+
+    def equation_explained(self) -> list[dict[str, Any]]:
+        """The displacement, and what the isolators have."""
+        x = self.found.s.declared("x")
+        return [
+            self.page.explained("x", x.column(()), x.quantity.unit),
+            *self.explained("damping", "stiffness"),
+        ]
 
     def solution(self) -> Definition:
         return solution(self.found)
