@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, lru_cache, partial
+from itertools import groupby
 from typing import Any, ParamSpec, TypeVar
 
 import jinja2
@@ -242,8 +243,8 @@ class Page:
         return items
 
     def fresh(self, items: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-        """Those of a "where" list that have not been explained before, with their meanings in words; all of them go
-        into the list of symbols."""
+        """Those of a "where" list that have not been explained before, with their meanings in words, and with their
+        `symbols`: neighbours of one base and meaning are explained together. All go into the list of symbols."""
         for item in items:
             sign = math_symbol(item["symbol"]) if isinstance(item["symbol"], str) else item["symbol"]
             if isinstance(sign, Symbol):
@@ -252,7 +253,7 @@ class Page:
             {"meaning": self.message(item["message"]), **item} if "message" in item else item
             for item in items
         ]
-        return self.numbering.fresh(told)
+        return _together(self.numbering.fresh(told))
 
     def lines_of_first_sheet(self, sections: Sequence[Section]) -> int:
         """How many lines of the contents stand above the larger title block of the first sheet; 0: it has none."""
@@ -450,3 +451,15 @@ class Page:
 
     def listed(self, items: Iterable[Any], between: str = ", ") -> Markup:
         return Markup(str.join(self.text(between), map(self.text, map(_indexed, items))))
+
+
+def _together(items: Iterable[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """Neighbours of a "where" list with one base and one meaning in one line: P_1, P_0 – power of a shaft, kW."""
+    alike = [list(group) for _, group in groupby(items, key=_said)]
+    return [{**one[0], "symbols": [item["symbol"] for item in one]} for one in alike]
+
+
+def _said(item: Mapping[str, Any]) -> tuple[str, str, str]:
+    sign = item["symbol"]
+    base = sign.base if isinstance(sign, Symbol) else str(sign).partition("_")[0]
+    return base, str(item["meaning"]), str(item.get("unit", ""))

@@ -19,12 +19,12 @@ _HTML = (
 _TEX = (
     (
         r"^(\\Note(?:Formula|Display|Beside)\{.*)\}((?:\s|\\NoteEnd)*)"
-        r"(?=\\NoteWhere WHERE |\\Note(?:Formula|Display|Beside)\{|\\NoteBegin)",
+        r"(?=(?:\\begin\{NoteMany\})?\\NoteWhere WHERE |\\Note(?:Formula|Display|Beside)\{|\\NoteBegin)",
         r"\1,}\2",
     ),
-    (r"\.(\s*\\NoteWhere WHERE )", r",\1"),
-    (r"(\\end\{Note(?:Long)?Table\}\s*\\NoteWhere )WHERE ", r"\1HERE "),
-    (r"(:\s*\\NoteWhere )WHERE ", r"\1"),
+    (r"\.(\s*(?:\\begin\{NoteMany\})?\\NoteWhere WHERE )", r",\1"),
+    (r"(\\end\{Note(?:Long)?Table\}\s*(?:\\begin\{NoteMany\})?\\NoteWhere )WHERE ", r"\1HERE "),
+    (r"(:\s*(?:\\begin\{NoteMany\})?\\NoteWhere )WHERE ", r"\1"),
 )
 _RULES = {"html": _HTML, "tex": _TEX}
 
