@@ -72,6 +72,14 @@ class BookView:
         """`sized` of those that this variant has."""
         return self.page.listed(self.sized(key) for key in keys if self.knows(key))
 
+    def told_of(self, keys: Iterable[str]) -> Markup:
+        """The same with what each is in front: module m = 5 mm; number of planet gears k = 3."""
+        return self.page.listed((self.by_noun(key, self.sized(key)) for key in keys if self.knows(key)), "; ")
+
+    def by_noun(self, key: str, of: Any) -> Markup:
+        """A noun of the declaration in front of what is said of its number."""
+        return self.page.listed([self.page.message(self.value(key).quantity.meaning), of], " ")
+
     # --- formulas
 
     def where(self, *formulas: Formula | Equation) -> list[dict[str, Any]]:

@@ -10,6 +10,7 @@ OF_TRAINS = (
     "tests/chapters/gears/train/test_train_page.py",
 )
 FITTED = ("tests/chapters/gears/spur/test_gear_backlash.py",)
+SHORTER = ("tests/chapters/gears/notes/test_shorter_gear_notes.py",)
 SHIFTED = ("tests/chapters/gears/spur/test_gear_quality.py",)
 
 FAULTS = tuple(
@@ -164,5 +165,37 @@ FAULTS += (
         'return page.listed(said[1:], "; ")',
         "compressor",
         ("tests/chapters/gears/test_planetary_stage.py",),
+    ),
+    Fault(
+        "drive: the loads of the members in the rows of others",
+        "tmm_report/chapters/gears/drive/view.py",
+        "rows = {name: row for row, name in enumerate(loads",
+        "rows = {name: -1 - row for row, name in enumerate(loads",
+        "compressor",
+        SHORTER,
+    ),
+    Fault(
+        "pair: a row of the table lost for good at short and in the appendix",
+        "tmm_report/chapters/gears/spur/view/pair.py",
+        "return self._of_wheels(caption, FURTHER)",
+        "return self._of_wheels(caption, FURTHER[1:])",
+        "compressor",
+        SHORTER,
+    ),
+    Fault(
+        "stages: millimetres said of formulas in metres",
+        "tmm_report/chapters/gears/ordinary/view.py",
+        'if item["unit"] == "mm" else item',
+        'if item["unit"] == "" else item',
+        "winch_drive",
+        SHORTER,
+    ),
+    Fault(
+        "letters: neighbours of two meanings explained by the first",
+        "tmm_report/report/page.py",
+        'return base, str(item["meaning"]), str(item.get("unit", ""))',
+        'return base, "", str(item.get("unit", ""))',
+        "winch_drive",
+        SHORTER,
     ),
 )

@@ -16,7 +16,7 @@ FAULTS = (
     Fault("stages: a belt about pulleys that meet", MECHANICS + "gears/belts.py", "low = (one + other) / 2",
           "low = (one + other) / 2 if crossed else abs(one - other) / 2 + 1e-9", CHAIN, BELTS),
     Fault("stages: a chosen wheel among the given ones", ORDINARY + "view.py",
-          'self.wheels[:-1] if "z2" in left else self.wheels', "self.wheels", CHAIN, STAGES),
+          'self.wheels[:-1] if "z2" in self.found.given.chosen else self.wheels', "self.wheels", CHAIN, STAGES),
     Fault("stages: the usual distance told as given", ORDINARY + "parallel.py",
           'found["a" if self.length is None else "a_about"] = "by rule"', 'found["a"] = "by rule"', CHAIN, STAGES),
     Fault("stages: a hollow cone passes", ORDINARY + "steps/common.py", "or angle - first >= FLATTEST", "", WINCH,
@@ -80,7 +80,7 @@ FAULTS = (
           'found["links"] = "even"', 'found["links"] = "row"', CHAIN, STAGES),
     # --- power ---
     Fault("power: the first shaft's formulas under the second's name", "templates/chapters/gears/drive/power.j2",
-          "group(w.shaft_formulas(1))", "group(w.shaft_formulas(0))", BELT, POWERS),
+          "group(w.shaft_formulas(1), t", "group(w.shaft_formulas(0), t", BELT, POWERS),
     Fault("power: a motor's verdict of its neighbour", POWER + "view.py",
           'page.word(self.t(VERDICTS[table'
           '["verdict"].values[row]]), table', 'page.word(self.t(VERDICTS[table["'

@@ -139,14 +139,23 @@ PIECES: dict[str, Piece] = {
     "spur.inspection": Piece(N_("sizes by which the teeth are measured"), course="appendix"),
     "spur.formulas": Piece(N_("formulas of the dimensions of the wheels of a pair")),
     "spur.worked": Piece(N_("dimensions of the wheels of a pair, worked out in numbers"), course="omit"),
-    "spur.conditions": Piece(N_("conditions of a pair with what is in hand, where all are met")),
+    "spur.further": Piece(
+        N_(
+            "exact least shift, depth, base thickness, curvature and sliding at the ends of the profiles of a pair"
+        )
+    ),
+    "spur.conditions": Piece(N_("conditions of a pair with what is in hand")),
+    "spur.graph": Piece(N_("contact ratio of a pair by the drawing of its mesh")),
     "spur.sliding": Piece(N_("graph of the specific sliding along the line of action"), course="appendix"),
-    "spur.details": Piece(N_("least shift, shift of the centres and time of two-pair contact of a pair")),
+    "spur.details": Piece(
+        N_("least shift, shift of the centres, check of thicknesses and time of two-pair contact of a pair")
+    ),
     "spur.points": Piece(N_("specific sliding at the points of the line of action"), course="appendix"),
     "spur.zones": Piece(N_("zones of contact of one and two pairs of teeth"), course="appendix"),
     "spur.readings": Piece(N_("values read off the drawing of a mesh"), course="appendix"),
     "drive.worked": Piece(N_("angular velocities of a drive, one of each kind worked out")),
     "drive.speeds": Piece(N_("angular velocities of a drive that are found as others are"), course="omit"),
+    "drive.stages": Piece(N_("table of the stages of a drive, which a sentence lists else")),
     "drive.diagrams": Piece(N_("how the diagrams of velocities of a drive are drawn")),
     "drive.comparison": Piece(
         N_("velocities by the diagrams of a drive against calculation"), course="appendix"

@@ -27,7 +27,7 @@ from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.terms.kinds import parted
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
-from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
+from tmm_report.report.paper.layout import DASH, Cell, Column, Table, numeric, worded
 from tmm_report.report.part import Failed, Inner, Part
 
 SCHEME = N_("Kinematic scheme of the drive")
@@ -127,6 +127,19 @@ class DriveView(ChapterView):
             case _:
                 assert_never(stage)
 
+    def listed_stages(self) -> Markup:
+        """The same in a sentence."""
+        said = [
+            self.t(
+                "%(kind)s %(members)s, %(ratio)s",
+                kind=self.kind(stage),
+                members="-".join(member.name for member in stage.members),
+                ratio=self.page.value(self.whole.stages[row].u_required),
+            )
+            for row, stage in enumerate(self.found.stages)
+        ]
+        return self.page.listed(said, "; ")
+
     @property
     def tolerance(self) -> Markup:
         return self.number("tolerance")
@@ -162,7 +175,7 @@ class DriveView(ChapterView):
         return self.whole.readable
 
     def symbols(self) -> list[dict[str, Any]]:
-        """What the formulas of the speeds are made of."""
+        """What the formulas of the speeds are made of: the sentence explains the first two."""
         items = [
             ("drive:omega", "omega_i", self.t("angular velocity of member i"), "rad/s"),
             ("drive:n", "n_i", self.t("its rotational speed"), "rpm"),
@@ -190,8 +203,30 @@ class DriveView(ChapterView):
         return Column(self.page.head(table[key].symbol(), table[key].unit), cells)
 
     def speeds_table(self) -> Table:
+        caption = self.t("Speeds of all the members of the drive")
+        return numeric(caption, self._names(self.speeds_of), self._speeds())
+
+    def members_table(self) -> Table:
+        """The speeds, and behind them what loads the members from outside."""
+        loads = self.table("loads")
+        rows = {name: row for row, name in enumerate(loads["member"].values)}
+        behind = [
+            column._replace(
+                cells=[
+                    column.cells[rows[one.name]] if one.name in rows else DASH
+                    for one in self.found.train.members
+                ]
+            )
+            for column in (self.page.column(loads, key) for key in ("T", "N"))
+        ]
+        caption = self.t("Speeds of all the members of the drive, external torques and powers")
+        return numeric(caption, self._names(self.speeds_of), [*self._speeds(), *behind])
+
+    def _speeds(self) -> list[Column]:
         table, members = self.speeds_of, self.found.train.members
-        teeth = [Cell(str(m.teeth), table.ref("z", row)) if m.teeth else "—" for row, m in enumerate(members)]
+        teeth = [
+            Cell(str(m.teeth), table.ref("z", row)) if m.teeth else DASH for row, m in enumerate(members)
+        ]
         columns = [
             Column(self.page.head(table["z"].symbol()), teeth),
             self.page.column(table, "omega"),
@@ -200,8 +235,8 @@ class DriveView(ChapterView):
         if carried := [m.name for m in members if m.carried_by]:
             some = self._of_members("omega_rel", carried)
             cells = iter(some.cells)
-            columns.append(some._replace(cells=[next(cells) if m.carried_by else "—" for m in members]))
-        return numeric(self.t("Speeds of all the members of the drive"), self._names(table), columns)
+            columns.append(some._replace(cells=[next(cells) if m.carried_by else DASH for m in members]))
+        return columns
 
     def comparison_table(self) -> Table:
         """Velocities of the points and angular velocities by the diagrams and by calculation."""

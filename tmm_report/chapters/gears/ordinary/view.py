@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from markupsafe import Markup
@@ -22,6 +23,7 @@ from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Column, Table, numeric
 from tmm_report.report.part import Part
 
+WORK = "omega1", "T1"  # what the drive gives at the input
 LEAST_WRAP = {"belt open": 150, "belt crossed": 150, "belt V": 120}  # deg, by the rule of machine parts
 
 
@@ -58,14 +60,19 @@ class OrdinaryView(ChapterView):
         lies = self.t(HANDED[f"{given.hand} {given.worm}"])
         return self.page.listed([text, lies, self.t(WAY[given.sense])], " ")
 
-    def given_values(self) -> Markup:
-        """What is stated: the numbers that no formula gives."""
+    @cached_property
+    def stated(self) -> list[str]:
+        """The numbers that no formula gives."""
         told = [key for key in self.s.DECLARED if key in self.s and not self.s.has_formula(key)]
-        left = ("omega1", "T1", *self.found.given.chosen)
-        wheels = self.wheels[:-1] if "z2" in left else self.wheels
+        left = (*WORK, *self.found.given.chosen)
+        return [key for key in told if key not in left]
+
+    def given_values(self) -> Markup:
+        """What is stated, and what it is."""
+        wheels = self.wheels[:-1] if "z2" in self.found.given.chosen else self.wheels
         teeth = [self.page.value(row.z) for row in wheels]
-        stated = [self.sized(key) for key in told if key not in left]
-        return self.page.listed([*teeth, *stated])
+        of_teeth = [self.t("numbers of teeth %(teeth)s", teeth=self.page.listed(teeth))] if teeth else []
+        return self.page.listed([*of_teeth, self.told_of(self.stated)], "; ")
 
     def groups(self) -> Iterator[Written]:
         chosen = self.found.given.chosen
@@ -107,13 +114,19 @@ class OrdinaryView(ChapterView):
 
     # ------------------------------------------------------------ what is said beside
 
+    def told(self) -> list[dict[str, Any]]:
+        """The symbols of what is stated and of the work, which are called what they are where they stand."""
+        return self.explained(*self.stated, *WORK)
+
     def symbols(self) -> list[dict[str, Any]]:
-        """Every symbol of the stage with its meaning."""
-        return self.explained(*(key for key in self.s.DECLARED if key in self.s))
+        """Every other symbol of the stage with its meaning, in the unit of the formulas."""
+        left = {*self.stated, *WORK}
+        keys = (key for key in self.s.DECLARED if key in self.s and key not in left)
+        return [{**item, "unit": "m"} if item["unit"] == "mm" else item for item in self.explained(*keys)]
 
     def at_work(self) -> Markup:
         """The speed and the torque that the drive gives it."""
-        return self.t("At the input of the stage: %(values)s.", values=self.listed(("omega1", "T1")))
+        return self.t("At the input of the stage: %(values)s.", values=self.told_of(WORK))
 
     def verdicts(self) -> Iterator[Markup]:
         least = LEAST_WRAP.get(self.found.given.variety)

@@ -41,7 +41,7 @@ class EccentricView(EccentricTables):
         return self.found.given.name
 
     def given_values(self) -> Markup:
-        return self.listed(("u_teeth", "e", "m", "alpha", "ha", "c", "delta", "j_n"))
+        return self.told_of(("u_teeth", "e", "m", "alpha", "ha", "c", "delta", "j_n"))
 
     def wheels(self, satellites: tuple[Satellite, ...]) -> Markup:
         return self.page.listed(s.wheel for s in satellites)

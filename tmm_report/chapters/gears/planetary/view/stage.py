@@ -28,6 +28,7 @@ from tmm_report.quantity.terms.wheel_words import of_wheel
 from tmm_report.report.page import Page
 from tmm_report.report.part import Failed, Part
 
+NARROW = "\N{NO-BREAK SPACE}"
 SCHEMES = {
     "sun-ring": N_("single-row stage with an external and an internal mesh"),
     "external-external": N_("two-row stage with two external meshes"),
@@ -61,18 +62,20 @@ class PlanetaryView(PlanetaryTables):
         }
 
     def given_values(self) -> Markup:
-        """Wanted ratio, tolerance, module, satellites, efficiency, as they were given."""
+        """Wanted ratio, tolerance, module, satellites, efficiency, as they were given, and what they are."""
         page, listed = self.page, self.page.listed
         counts = [self.number(key) for key in ("k_least", "k_most")]
         many = listed(counts[: len(self.task.satellites)], "…")
+        allowed = [page.sym(self.value("tolerance").symbol), " ≤ ", self.tolerance, f"{NARROW}%"]
         return listed(
             [
-                self.sized("u_wanted"),
-                listed([page.sym(self.value("tolerance").symbol), " ≤ ", self.tolerance, " %"], ""),
-                self.listed(self._stated()),
-                listed([page.sym("k"), " = ", many], ""),
-                self.sized("eta_stopped"),
-            ]
+                self.told_of(["u_wanted"]),
+                self.by_noun("tolerance", listed(allowed, "")),
+                self.told_of(self._stated()),
+                self.by_noun("k", listed([page.sym("k"), " = ", many], "")),
+                self.t("efficiency with the carrier stopped %(eta)s", eta=self.sized("eta_stopped")),
+            ],
+            "; ",
         )
 
     def _stated(self) -> list[str]:

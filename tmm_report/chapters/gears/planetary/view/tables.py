@@ -180,6 +180,7 @@ class PlanetaryTables(ChapterView):
                 *padded([self._diameter(key, wheel) for wheel in wheels]),
             ]
             for key, text in DIAMETERS.items()
+            if key != "d_w" or self.found.shifted or self.page.note.every  # else the text says that it is d
         ]
         if self.found.shifted:
             rows[:0] = [self._shifts(key) for key in ("x_n", "x") if key == "x" or self.given.helix]

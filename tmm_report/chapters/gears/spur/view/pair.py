@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 from typing import Any
 
@@ -48,6 +48,9 @@ OF_BOTH = (
 )  # fmt: skip
 ENDS = ("rho_a", "rho_m", "rho_p", "rho_u", "root_sliding", "tip_sliding")
 NOT_OF_RINGS = ("x_min", "s_b")
+FURTHER = (  # what few want
+    "x_min", "height", "alpha_a", "s_b", "rho_m", "rho_p", "rho_u", "root_sliding", "tip_sliding",
+)  # fmt: skip
 LEAST, MOST = "≥\N{NO-BREAK SPACE}", "≤\N{NO-BREAK SPACE}"  # before a limit, on one line with it
 
 
@@ -104,10 +107,10 @@ class SpurView(ChapterView):
         return RULES[shift] if isinstance(shift, str) else ""
 
     def given_values(self) -> Markup:
-        """What the assignment gives, in one line."""
+        """What the assignment gives, and what it is."""
         stated = self.found.given.centre_distance is not None
         keys = ["u_required", "m", *(["a_w"] if stated else []), "alpha", "beta", "ha", "c"]
-        return self.page.listed([self.listed(keys), "."], "")
+        return self.told_of(keys)
 
     def both_shifts(self) -> Markup:
         return self.page.listed(self.one_shift(i) for i in (0, 1))
@@ -150,13 +153,21 @@ class SpurView(ChapterView):
 
     def wheels_table(self, caption: Any) -> Table:
         """Numbers of both wheels; each row is a column of the results."""
+        whole = self.page.note.stand("spur.further") == "body"
+        return self._of_wheels(caption, [key for key in (*SIZES, *ENDS) if whole or key not in FURTHER])
+
+    def further_table(self, caption: Any) -> Table:
+        """The rows that the table of the text is without."""
+        return self._of_wheels(caption, FURTHER)
+
+    def _of_wheels(self, caption: Any, keys: Iterable[str]) -> Table:
         rows = [
             [
                 self._called(key),
                 self.page.sym(self._indexed(key, "i")),
                 *padded([self._size(key, i) for i in (0, 1)]),
             ]
-            for key in (*SIZES, *ENDS)
+            for key in keys
             if any(key in wheel for wheel in self.wheels)
         ]
         wheels = [self.t("wheel %(name)s", name=name) for name in self.names]
@@ -314,7 +325,22 @@ class SpurView(ChapterView):
     def failures(self) -> list[Markup]:
         """Conditions that are not met, each with how much is wanting."""
         failed = [(row, c) for row, c in enumerate(self.found.conditions) if c in self.found.failed]
-        return [self.page.listed([self._name(c), self._lack(row, c)], ": ") for row, c in failed]
+        return [
+            self.t("%(condition)s (%(lack)s)", condition=self._name(c), lack=self._lack(row, c))
+            for row, c in failed
+        ]
+
+    def verdict(self) -> Markup:
+        """What the conditions come to; where their table is not in the text, of what they are."""
+        if not self.found.failed:
+            text = N_("All the conditions of a sound pair are met.")
+            if self.page.note.stand("spur.conditions") == "body":
+                text = N_("All the conditions are met.")
+            return self.t(text)
+        if self.found.sound:  # of the undercut the text has spoken
+            return self.t("All the other conditions of a sound pair are met.")
+        text = N_("Not all the conditions are met: %(list)s.")
+        return self.t(text, list=self.page.listed(self.failures(), "; "))
 
     def reasons(self) -> list[Markup]:
         """Why the contact is shorter than between the tip circles."""
