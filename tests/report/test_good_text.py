@@ -19,6 +19,7 @@ from note import read, text_of
 
 from tmm_report.i18n import Translator
 from tmm_report.languages import LANGUAGES
+from tmm_report.quantity.text import UNITS, unit_text
 from tmm_report.report.sources import SOURCES
 
 CHAPTERS = Path(__file__).resolve().parents[2] / "templates" / "chapters"
@@ -46,6 +47,19 @@ def test_sources_cited_together_are_parted_as_in_the_language(name):
     between = re.findall(r"</a>([^<]+)<a href=\"#source", text)
     assert {one for one in between if one.strip() in (",", ";")} <= {{"ru": "; ", "en": ", "}[language]}
     assert between or name not in QUICK
+
+
+@each
+def test_no_line_ends_between_a_number_and_its_unit(name):
+    """By GOST 2.105; in cells, too, but those of the methods and their settings."""
+    language = name.rpartition("-")[2]
+    words = (unit_text(unit, language) for unit in UNITS if unit != "A")  # which begins headings, too
+    units = "|".join([*words, "%", "°"])
+    texts = [text_of(node) for node in page(name).iter() if node.tag in ("p", "li", "figcaption", "td")]
+    assert len(texts) > 20
+    parted = [text for text in texts if re.search(rf"\d (?:{units})(?!\w)", text)]
+    settings = rf"[\w ]+, [\d.,]+ {unit_text('mm', language)}"
+    assert not [text for text in parted if not re.fullmatch(settings, text)]
 
 
 def test_every_source_is_cited_by_a_template():

@@ -28,7 +28,7 @@ from tmm_report.quantity.formula import Formula, Inline, Var
 from tmm_report.quantity.model import Column, Table, Value
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol, latex_escape, math_symbol, xml_escape
-from tmm_report.quantity.text import column, short_and_full, unit_text
+from tmm_report.quantity.text import UNITS, column, short_and_full, unit_text
 from tmm_report.quantity.text import number as written
 from tmm_report.quantity.written import Equation, explained
 from tmm_report.report import diagrams
@@ -100,13 +100,21 @@ def template(name: str) -> Template:
 
 
 @lru_cache(maxsize=4096)
-def _pieces(text: str) -> tuple[tuple[str, bool], ...]:
+def _pieces(text: str, language: str) -> tuple[tuple[str, bool], ...]:
     """A message in pieces: what it says, and the names of what is put in."""
     pieces, end = list[tuple[str, bool]](), 0
+    text = _before_unit(language).sub("\\1\N{NO-BREAK SPACE}", text)
     for match in _VALUE.finditer(text):
         pieces += [(text[end : match.start()], False), (match[1], True) if match[1] else ("%", False)]
         end = match.end()
     return (*pieces, (text[end:], False))
+
+
+@cache
+def _before_unit(language: str) -> re.Pattern[str]:
+    """A number, or what is put in, and a space before its unit, at which no line ends (GOST 2.105)."""
+    units = "|".join(re.escape(unit_text(unit, language)) for unit in UNITS)
+    return re.compile(rf"(%\(\w+\)s|\d) (?=(?:{units})(?!\w)|%%|%\(unit\)s)")
 
 
 def _indexed(value: Any) -> Any:
@@ -205,7 +213,7 @@ class Page:
         return {"id": name, "symbol": of.quantity.symbol, "unit": unit, "message": of.quantity.meaning}
 
     def _filled(self, text: str, values: dict[str, Any]) -> Markup:
-        parts = _pieces(text)
+        parts = _pieces(text, self.tr.language)
         if len(parts) == 1:
             return self.text(parts[0][0])
         pieces = [
@@ -424,7 +432,7 @@ class Page:
     def measured(self, of: Value, **form: Any) -> Markup:
         """A single number in running text with its unit."""
         unit = self.unit(form.get("unit") or of.quantity.printed)
-        return self.listed([self.shown(of, **form), unit], "" if unit in ("", "°") else " ")
+        return self.listed([self.shown(of, **form), unit], "" if unit in ("", "°") else "\N{NO-BREAK SPACE}")
 
     def turned(self, of: Value, places: int = 1) -> Cell:
         """The angle turned from position 0 at which a single number holds, in degrees; a dash where there is none."""

@@ -103,6 +103,8 @@ FAULTS = (
           "wider.wide <= paper.width", "wider.wide <= 2 * paper.width", tests=SHEETS),
     Fault("figures of a sheet higher than it", "tmm_report/report/paper/rows.py",
           "for one in (*rows, row)) > sheet.field[1]", "for one in rows) > sheet.field[1]", tests=SHEETS),
+    Fault("a line that ends between a number and its unit", "tmm_report/report/page.py",
+          "(?=(?:{units})(?!", "(?=(?:{units})0(?!", tests=("tests/report/test_good_text.py",)),
     Fault("sources cited together as in English", "tmm_report/languages.py", 'cited="; "', 'cited=", "',
           tests=("tests/report/test_good_text.py",)),
     Fault("gathered figures of LaTeX lost", "tmm_report/report/formats.py",

@@ -37,7 +37,11 @@ PLACES = {
     "contact": 3,
     "gap": 2,
 }  # decimals of the conditions
-UNITS = {"%": " %", "deg": "°", "": ""}  # as they are written after the numbers of the conditions
+UNITS = {
+    "%": "\N{NO-BREAK SPACE}%",
+    "deg": "°",
+    "": "",
+}  # as they are written after the numbers of the conditions
 
 INPUT = Symbol("omega", NP_("index", "in"))
 
@@ -160,7 +164,8 @@ class PlanetaryTables(ChapterView):
         """Value, limit and what is in hand, each with its unit."""
         table, listed = self.table("conditions"), self.page.listed
         if of.key == "gap":
-            gap = listed([self.page.shown(table, "value", row, "mm", places=2), self.page.unit("mm")], " ")
+            found = self.page.shown(table, "value", row, "mm", places=2)
+            gap = listed([found, self.page.unit("mm")], "\N{NO-BREAK SPACE}")
             return [gap, listed(["> ", self.page.shown(table, "limit", row, "mm")], ""), gap]
         value, limit, margin = (
             listed([self.page.shown(table, key, row, places=PLACES[of.key]), UNITS[of.unit]], "")

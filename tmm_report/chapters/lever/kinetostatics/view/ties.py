@@ -81,7 +81,8 @@ class TiesView(BookView):
         force = self.page.shown(table, "F_0", row)
         if tie.at_length is None:
             return [NONE, self.t(AT_POSITION, force=force, position=tie.at_position or 0)]
-        under = self.page.listed([self.page.shown(table, "l_F", row, unit="mm"), self.page.unit("mm")], " ")
+        arm = self.page.shown(table, "l_F", row, unit="mm")
+        under = self.page.listed([arm, self.page.unit("mm")], "\N{NO-BREAK SPACE}")
         return [NONE, self.t(AT_LENGTH, force=force, length=under)]
 
     # ------------------------------------------------------------ the sample position
