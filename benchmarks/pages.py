@@ -1,16 +1,19 @@
 """Pages of the notes as they are printed, by chapter, and how full they are.
 
-    python -m benchmarks.pages [NAME ...] [--depth short|course|full] [--language ru|en] [--chapters]
+    python -m benchmarks.pages [NAME ...] [--depth short course full] [--of html bare tex] [--language ru|en]
+                               [--chapters]
 
-Prints HTML notes of shipped variants by a headless Chromium (as `solve --print` finds it), reads the PDF with Poppler's
-`pdftotext` and `pdftoppm`. A chapter's pages are counted in parts, from its heading to the next one; `fill` is the
-share of the room between a page's margins down to the lowest ink, the last page of every chapter left out. Pages of the
-text and of the appendices are told apart: 82 + 23.
+Notes of shipped variants: `html`, printed by a headless Chromium (as `solve --print` finds it), `bare`, by one that
+finds no font but DejaVu, `tex`, set by pdflatex. The PDF is read with Poppler's `pdftotext` and `pdftoppm`. A
+chapter's pages are counted in parts, from its heading to the next one; `fill` is the share of the room between a
+page's margins down to the lowest ink, the last page of every chapter left out. Pages of the text and of the appendices
+are told apart: 82 + 23.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import subprocess
 from collections.abc import Iterator
@@ -19,10 +22,12 @@ from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 import numpy as np
+from matplotlib import get_data_path
 
 from tmm_report import load, render, solve
+from tmm_report.commands.pdf import compiled
 from tmm_report.commands.printing import printed
-from tmm_report.course import DEPTHS
+from tmm_report.course import DEPTHS, Results
 
 VARIANTS = Path(__file__).parents[1] / "variants"
 WORD = re.compile(r'<word xMin="([\d.]+)" yMin="([\d.]+)" xMax="[\d.]+" yMax="[\d.]+">(.*?)</word>')
@@ -94,27 +99,60 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
     parser.add_argument("names", nargs="*", default=sorted(path.stem for path in VARIANTS.glob("*.yaml")))
     parser.add_argument("--language", default=None)
-    parser.add_argument("--depth", choices=DEPTHS, default=None)
+    parser.add_argument(
+        "--depth", choices=DEPTHS, nargs="+", default=[None], help="left out: that of the variant"
+    )
+    parser.add_argument("--of", choices=("html", "bare", "tex"), nargs="+", default=["html"])
     parser.add_argument("--chapters", action="store_true", help="print the chapters too")
     options = parser.parse_args()
     print(f"{'':<40}{'pages':>8}{'fill':>7}{'least':>7}{'MB':>7}")
     for name in options.names:
-        html = render(solve(load(VARIANTS / f"{name}.yaml")), "html", options.language, options.depth)[
-            "note.html"
-        ]
-        with TemporaryDirectory() as made:
-            pdf = Path(made, "note.pdf")
-            pdf.write_bytes(printed(html))
-            words, filled = read_words(pdf), fills(pdf, Path(made))
-        found = list(chapters(html, words, filled))
-        every = [one for chapter in found for one in chapter.fill]
-        mean, least = (np.mean(every), min(every)) if every else (1.0, 1.0)
-        text = min((int(one.start) for one in found if one.appendix), default=len(words))
-        apart = f"{text} + {len(words) - text}" if text < len(words) else str(text)
-        print(f"{name:<40}{apart:>8}{mean:7.2f}{least:7.2f}{len(html) / 1e6:7.2f}")
-        for chapter in found if options.chapters else ():
-            fill = f"{np.mean(chapter.fill):7.2f}{min(chapter.fill):7.2f}" if chapter.fill else ""
-            print(f"  {chapter.title[:36]:<38}{chapter.end - chapter.start:8.1f}{fill}")
+        results = solve(load(VARIANTS / f"{name}.yaml"))
+        for depth in options.depth:
+            html = render(results, "html", options.language, depth)["note.html"]
+            for of in options.of:
+                called = " ".join([name, *([depth] if depth else ()), *([of] if of != "html" else ())])
+                show(called, html, pdf_of(of, results, html, options.language, depth), options.chapters)
+
+
+def pdf_of(of: str, results: Results, html: bytes, language: str | None, depth: str | None) -> bytes:
+    if of == "tex":
+        return compiled(render(results, "tex", language, depth))["note.pdf"]
+    return printed_bare(html) if of == "bare" else printed(html)
+
+
+def printed_bare(html: bytes) -> bytes:
+    """The note as a browser prints it that finds no font but DejaVu, which matplotlib has."""
+    fonts = Path(get_data_path(), "fonts", "ttf")
+    with TemporaryDirectory() as place:
+        config = Path(place, "fonts.conf")
+        config.write_text(
+            f"<fontconfig><dir>{fonts}</dir><cachedir>{place}/cache</cachedir></fontconfig>", "utf-8"
+        )
+        before = os.environ.get("FONTCONFIG_FILE")
+        os.environ["FONTCONFIG_FILE"] = str(config)
+        try:
+            return printed(html)
+        finally:
+            os.environ.pop("FONTCONFIG_FILE")
+            os.environ.update({"FONTCONFIG_FILE": before} if before else {})
+
+
+def show(called: str, html: bytes, pdf: bytes, each: bool) -> None:
+    """A line of the note, and with `each` one of every chapter."""
+    with TemporaryDirectory() as made:
+        file = Path(made, "note.pdf")
+        file.write_bytes(pdf)
+        words, filled = read_words(file), fills(file, Path(made))
+    found = list(chapters(html, words, filled))
+    every = [one for chapter in found for one in chapter.fill]
+    mean, least = (np.mean(every), min(every)) if every else (1.0, 1.0)
+    text = min((int(one.start) for one in found if one.appendix), default=len(words))
+    apart = f"{text} + {len(words) - text}" if text < len(words) else str(text)
+    print(f"{called:<40}{apart:>8}{mean:7.2f}{least:7.2f}{len(html) / 1e6:7.2f}")
+    for chapter in found if each else ():
+        fill = f"{np.mean(chapter.fill):7.2f}{min(chapter.fill):7.2f}" if chapter.fill else ""
+        print(f"  {chapter.title[:36]:<38}{chapter.end - chapter.start:8.1f}{fill}")
 
 
 if __name__ == "__main__":
