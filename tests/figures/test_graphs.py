@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmm_report.chapters.lever.kinematics.view.diagrams import Diagrams
-from tmm_report.figures.charts.axes import angle_axis, figure, position_marks, round_ticks, value_ticks
+from tmm_report.figures.charts.axes import figure, position_marks, round_axis, round_ticks, value_ticks
 from tmm_report.figures.charts.graphs import Curve, graph
 from tmm_report.figures.charts.sheet import CURVE, JOINED
 from tmm_report.figures.drawing import Path, Text, svg, tikz
@@ -94,7 +94,7 @@ def test_the_size_holds_all_that_is_drawn():
     ("extent", "wide"), [(360, 144), (720, 144), (1440, 144), (60, 120), (90, 112.5), (130, 130)]
 )
 def test_the_axis_of_the_angle_is_at_a_round_scale(extent, wide):
-    assert angle_axis(extent, 145.0) == pytest.approx(wide)
+    assert round_axis(extent, 145.0) == pytest.approx(wide)
 
 
 @given(st.floats(1e-6, 1e7), st.floats(-1, 1), st.integers(1, 4))

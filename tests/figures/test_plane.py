@@ -14,6 +14,7 @@ from tmm_report.figures.drawing import Path, Text, svg, tikz
 from tmm_report.figures.lettering import Label
 from tmm_report.quantity.symbols import Symbol
 
+ROUND = (1.0, 1.25, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)
 TURN = np.exp(1j * np.linspace(0, 2 * np.pi, 41)[:-1])
 
 
@@ -30,7 +31,11 @@ def test_a_frame_holds_its_curves_and_zero_within_the_field(wide, tall, aside):
     curve = wide * (TURN.real + aside) + 1j * tall * TURN.imag
     frame = framed([curve])
     assert all(frame.holds(z) for z in [*curve, 0j])
-    assert frame.corner.real == pytest.approx(FIELD[0]) and frame.corner.imag == pytest.approx(FIELD[1])
+    for scale, filled, room in zip(
+        (frame.x_scale, frame.y_scale), (frame.corner.real, frame.corner.imag), FIELD, strict=True
+    ):
+        assert round(scale / 10 ** np.floor(np.log10(scale * (1 + 1e-9))), 6) in ROUND
+        assert room / 1.6 * (1 - 1e-6) <= filled <= room * (1 + 1e-6)  # 1.25 is followed by 2
 
 
 def test_vectors_keep_their_angles():

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmm_report.figures.charts.axes import angle_axis, round_ticks
+from tmm_report.figures.charts.axes import round_axis, round_ticks
 from tmm_report.figures.charts.graphs import Curve, Graph, Letters, graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.lettering import Label, Parts, lettered
@@ -48,7 +48,7 @@ class CycleGraphs:
         angle = self.letter(self.along, "deg")
         return graph(
             curves, degrees, angle, labels,
-            wide=partial(angle_axis, extent), step=lambda wide: _step(APART * extent / wide),
+            wide=partial(round_axis, extent), step=lambda wide: _step(APART * extent / wide),
             positions=self.positions, comma=self.tr.decimal == ",", join=join,
         )  # fmt: skip
 
@@ -168,6 +168,7 @@ def plot(
     return graph(
         curves, np.asarray(x, float), letters.letter(along.sign, along.unit),
         [letters.letter(symbol, unit) for symbol, unit in of],
+        wide=partial(round_axis, float(x[-1] - x[0])),
         step=ticks[1] - ticks[0], comma=tr.decimal == ",", join=False, bounds=bounds,
     )  # fmt: skip
 

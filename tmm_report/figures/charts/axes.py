@@ -41,7 +41,7 @@ ROOMS = (
     222.0,
     364.0,
 )  # mm: height of half a page, of two thirds, of a whole one, of A3 standing
-ANGLES = (1.0, 1.25, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)  # round scales of angles, times a power of ten
+ALONG = (1.0, 1.25, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)  # round scales along an axis, times a power of ten
 ROUND = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)  # steps of ticks, times a power of ten
 
 
@@ -156,12 +156,12 @@ def _finer(scale: float) -> float:
     return float(f"{max(before):.12g}")
 
 
-def angle_axis(extent: float, room: float) -> float:
-    """Length of an axis of `extent` degrees, mm, at the smallest round scale that `room` mm hold: 144 for a turn, 2.5°
-    to a millimetre, where there are 144."""
+def round_axis(extent: float, room: float) -> float:
+    """Length of an axis of `extent`, mm, at the smallest round scale that `room` mm hold: 144 for a turn, 2.5° to a
+    millimetre, where there are 144."""
     least = extent / room * (1 - 1e-9)
     decade = 10.0 ** math.floor(math.log10(least))
-    return extent / min(s * d for s in ANGLES for d in (decade, 10 * decade) if s * d >= least)
+    return extent / min(s * d for s in ALONG for d in (decade, 10 * decade) if s * d >= least)
 
 
 def round_ticks(low: float, high: float, intervals: int = 6) -> list[float]:
