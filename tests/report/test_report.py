@@ -21,7 +21,7 @@ from tmm_report.note import render
 from tmm_report.report.formats import Html, Tex, tex_escape
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, environment
-from tmm_report.report.paper.layout import Column, numeric, worded
+from tmm_report.report.paper.layout import Column, Part, folded, numeric, worded
 from tmm_report.report.paper.lines import pieces
 from tmm_report.report.paper.sheets import USUAL
 from tmm_report.report.sources import SOURCES
@@ -297,3 +297,19 @@ def test_what_several_chapters_ask_for_is_made_once_a_note():
     first = shown.once(list, "ab")
     assert first is shown.once(list, "ab") and first == ["a", "b"]
     assert shown.once(list, "cd") == ["c", "d"] and page().once(list, "ab") is not first
+
+
+@pytest.mark.parametrize("count", [10, 13, 24])
+def test_a_tall_narrow_table_stands_in_halves(count):
+    rows = [[str(k), f"F{k}"] for k in range(count)]
+    part = folded(Part(["k", "F"], rows, [0.1, 0.2]))
+    assert part.head == ["k", "F", "k", "F"] and len(part.shares) == 4
+    halves = [row[:2] for row in part.rows], [row[2:] for row in part.rows]
+    assert [row for half in halves for row in half if row[0]] == rows
+    assert len(part.rows) == -(-count // 2)
+
+
+@pytest.mark.parametrize(("count", "share"), [(9, 0.1), (12, 0.25)])
+def test_a_short_or_wide_table_stands_whole(count, share):
+    part = Part(["k", "F"], [["", ""]] * count, [share, share])
+    assert folded(part) is part

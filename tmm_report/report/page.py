@@ -180,8 +180,9 @@ class Page:
         return Markup("".join(map(self.text, filled(template, values))))
 
     def parts(self, table: layout.Table) -> Sequence[layout.Part]:
-        """A table cut to the width of the page."""
-        return table.cut(self.form.paper)
+        """A table cut to the width of the page; in a shorter note tall narrow ones stand in halves."""
+        parts = table.cut(self.form.paper)
+        return parts if self.note.every or table.words else [layout.folded(part) for part in parts]
 
     def caption(self, place: Place, title: Any, first: bool, last: bool = False) -> Markup:
         """Of a table, or of a part of it behind the first."""

@@ -90,6 +90,12 @@ FAULTS = (
     Fault("segments of one position for both of a joined table", "tmm_report/report/comparison.py",
           "named, k, segments[k]) for k, table", "named, k, next(iter(segments.values()))) for k, table",
           tests=("tests/report/test_depth.py",)),
+    Fault("a row of a folded table left out", "tmm_report/report/paper/layout.py",
+          "beside = [*part.rows[half:],", "beside = [*part.rows[half + 1:], part.rows[0],",
+          tests=("tests/report/test_report.py",)),
+    Fault("one coefficient of friction told for pairs of two", "tmm_report/chapters/lever/friction/view.py",
+          " or any(len(one) > 1 for one in rubs.values()):", ":",
+          tests=("tests/chapters/lever/friction/test_losses.py",)),
     # --- figures that share the paper ---
     Fault("a plan made smaller under the scale of its construction", "tmm_report/chapters/lever/plans/view.py",
           'scale_of(f"mu_{plan.kind}", mu, own.unit)', 'scale_of(f"mu_{plan.kind}", plan.scale, own.unit)',

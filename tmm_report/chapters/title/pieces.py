@@ -38,6 +38,7 @@ PIECES: dict[str, Piece] = {
     ),
     "plans.senses": Piece(N_("senses of angular velocities and accelerations, by the plans")),
     "plans.compared": Piece(N_("comparison of the methods at the positions whose plans are not worked out")),
+    "kinetostatics.loads": Piece(N_("loads over the cycle, drawn")),
     "kinetostatics.directions": Piece(N_("directions of the reactions"), course="appendix"),
     "kinetostatics.curves": Piece(N_("diagrams and hodographs of the reactions"), course="appendix"),
     "kinetostatics.extremes": Piece(N_("extremes of the reactions over the cycle"), course="appendix"),

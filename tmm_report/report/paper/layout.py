@@ -17,6 +17,7 @@ from tmm_report.report.paper.sheets import USUAL, Paper
 
 LEAST = 99.5  # of units of the last decimal: what is less has not three digits in its column
 WHOLE = 20  # rows: a longer table may be cut by the end of a page
+TALL, NARROW = 10, 0.48  # rows of a table, and its share of the page, that stands in halves in a shorter note
 
 
 class Cell(str):
@@ -267,6 +268,16 @@ def part(columns: Sequence[Column], paper: Paper = USUAL) -> Part:
     share = min(1.0, max(0.0, paper.width - sum(least)) / (sum(more) or 1.0))
     widths = [width + share * extra for width, extra in zip(least, more, strict=True)]
     return Part([c.head for c in columns], rows, [width / paper.width for width in widths])
+
+
+def folded(part: Part) -> Part:
+    """A tall narrow part in two halves side by side, the second beside the first."""
+    if len(part.rows) < TALL or sum(part.shares) > NARROW:
+        return part
+    half = -(-len(part.rows) // 2)
+    beside = [*part.rows[half:], [""] * len(part.head)][:half]
+    rows = [[*row, *other] for row, other in zip(part.rows[:half], beside, strict=True)]
+    return Part([*part.head, *part.head], rows, [*part.shares, *part.shares])
 
 
 def packed(caption: Any, first: Column, lead: list[Column], groups: Sequence[list[Column]]) -> Table:

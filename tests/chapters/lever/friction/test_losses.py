@@ -1,10 +1,15 @@
 """Friction: power in every pair by the textbook's formulas, and the efficiency."""
 
+import re
+
 import numpy as np
 import pytest
+from conftest import path_of
 
+from tmm_report import render, solve
 from tmm_report.chapters.lever.friction import solve as friction
 from tmm_report.chapters.lever.friction.given import Friction, Rubbing
+from tmm_report.loading import loads
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.pairs.coefficients import BySliding, Stribeck
 
@@ -114,3 +119,29 @@ def test_compressor_position_7(compressor):
     (loss,) = (loss for loss in compressor.lever.friction.table.pairs if loss.pair.name == "D")
     assert FRAME not in loss.pair.links
     assert loss.power[7] == pytest.approx(0.1 * 279.17 * 0.025 * 26.524, rel=1e-4)
+
+
+RUBBING = "friction:\n  pivots: {coefficient: 0.08, diameter: 30 mm}\n"
+GUIDES = "  guides: {coefficient: %s}\n"
+ONE_APART = RUBBING + "  joints:\n    B: {coefficient: 0.12, diameter: 30 mm}\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "depth", "told"),
+    [
+        ("crank_rocker", RUBBING, "course", ["f = 0.08", "d = 0.03"]),
+        ("crank_rocker", RUBBING, "full", []),
+        ("crank_rocker", ONE_APART, "course", []),
+        ("slider_crank_offset", RUBBING + GUIDES % 0.1, "short", ["f = 0.08", "f = 0.1", "d = 0.03"]),
+        ("slider_crank_offset", RUBBING + GUIDES % 0.08, "short", ["f = 0.08", "d = 0.03"]),
+    ],
+)  # fmt: skip
+def test_what_is_one_for_all_pairs_is_told_in_words(name, given, depth, told):
+    text = path_of(name).read_text("utf-8")
+    text = re.sub(r"(?ms)^friction:.*?(?=^\S)", "", text) + "\n" + given
+    note = render(solve(loads(text)), "html", "en", depth)["note.html"].decode()
+    said = re.search(r"<p>The coefficient of friction .*?</p>", note)
+    assert ("Friction in the kinematic pairs</p>" in note) == (not told) == (said is None)
+    if said:
+        values = re.findall(r"<mi>([fd])</mi>.*?<mn[^>]*>([\d.]+)</mn>", said[0])
+        assert [f"{letter} = {value}" for letter, value in values] == told

@@ -97,6 +97,31 @@ class FrictionView(SlidingView):
 
     # ------------------------------------------------------------ tables
 
+    def alike(self) -> list[Markup]:
+        """The given in words, where in a shorter note all pairs of a kind have one coefficient and one diameter."""
+        if self.page.note.every or self.by_law:
+            return []
+        rubs: dict[str, set[Any]] = {}
+        rows: dict[str, int] = {}
+        for row, loss in enumerate(self.found.table.pairs):
+            rubs.setdefault(loss.pair.kind, set()).add((loss.rubbing.coefficient, loss.rubbing.diameter))
+            rows.setdefault(loss.pair.kind, row)
+        if rubs.keys() - {"R", "P"} or any(len(one) > 1 for one in rubs.values()):
+            return []
+        coefficients = {kind: self.page.value(self.stated.var("f", row)) for kind, row in rows.items()}
+        if len({coefficient for ((coefficient, _),) in rubs.values()}) == 1:
+            text = N_("The coefficient of friction in all kinematic pairs is %(f)s.")
+            said = [self.t(text, f=next(iter(coefficients.values())))]
+        else:
+            text = N_(
+                "The coefficient of friction is %(f)s in the revolute pairs and %(g)s in the prismatic ones."
+            )
+            said = [self.t(text, f=coefficients["R"], g=coefficients["P"])]
+        if any(diameter for _, diameter in rubs.get("R", ())):
+            text = N_("The journals have the diameter %(d)s.")
+            said.append(self.t(text, d=self.page.value(self.stated.var("d", rows["R"]))))
+        return said
+
     def given(self, caption: Any) -> Table:
         table = self.stated
         journals = any(loss.rubbing.diameter for loss in self.found.table.pairs)
