@@ -119,3 +119,20 @@ def test_wrong_words_do_not_come_back(language):
 def _forms(entry: Any, language: str) -> tuple[str, ...]:
     text = entry.id if language == "en" else entry.string
     return (text,) if isinstance(text, str) else tuple(text or ())
+
+
+SCALE = re.compile(r"<math><msub><mi>μ</mi>.*?<mn [^>]*data-t=\"picture\"[^>]*>([\d.]+)</mn>")
+ROUND = (1.0, 1.25, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["governor_porter", "governor_servo", "governor_spring", "locomotive_diesel", "forging_machine_wear"],
+)
+def test_curves_stand_at_round_scales(name):
+    """A ruler reads them: over a lift, a time, a speed and a frequency as over a turn."""
+    text = note(name, "html", "en")["note.html"].decode()
+    captions = " ".join(re.findall(r"<figcaption>(.*?)</figcaption>", text, re.S))
+    scales = [float(one) for one in SCALE.findall(captions)]
+    assert len(scales) > 6
+    assert not [one for one in scales if not any(f"{one:e}".startswith(f"{r:e}"[:8]) for r in ROUND)]

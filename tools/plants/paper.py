@@ -81,4 +81,6 @@ FAULTS = (
           "np.clip((off * chord.conj()).real / square, 0, 1)", "(off * chord.conj()).real / square", tests=THINNED),
     Fault("only the middle of a piece looked at", "tmm_report/figures/thinning.py",
           "(away <= APART).all(axis=1)", "away[:, 0] <= APART", tests=THINNED),
+    Fault("curves over a time along the whole width", "tmm_report/report/diagrams.py",
+          "wide=partial(round_axis, float(x[-1] - x[0])),", "wide=None,", tests=("tests/report/test_good_text.py",)),
 )  # fmt: skip

@@ -38,7 +38,7 @@ def field(wave: Wave, axis: str, labels: tuple[Parts, Parts], num: Num) -> Drawi
     turned = np.linspace(0.0, 360.0, len(p))
     means = p[:-1].mean(), q[:-1].mean()
     p, q = 1e3 * (p - means[0]), 1e3 * (q - means[1])
-    frame = Frame(0j, 360 + 1j, 3.0, 1 / 60)
+    frame = Frame(0j, 360 + 1j, 3.0, 0.02)
     traces, tags = [], []
     for level in round_ticks(float(min(p.min(), q.min())), float(max(p.max(), q.max())), LEVELS):
         line = _line(turned, p, q, level)

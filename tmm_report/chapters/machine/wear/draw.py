@@ -28,6 +28,7 @@ from tmm_report.figures.drawing import (
     polygon,
 )
 from tmm_report.figures.lettering import Parts, Symbol
+from tmm_report.quantity.paper import round_scale
 
 LONG, TALL = 130.0, 20.0  # mm: the guide, and the slider across it
 FORCE = 15.0  # length of the arrow of the central reaction, mm
@@ -123,7 +124,7 @@ RADIUS, MOST, APART = 24.0, 9.0, 84.0  # mm: a circle, its greatest wear as draw
 
 def worn(found: PivotFound) -> Drawing:
     """Journal and bushing side by side, each in the axes of its link; the depths drawn to one scale."""
-    scale = MOST / found.worst.greatest
+    scale = 1 / drawn_scale(found)
     journal, bushing = found.members
     items = (
         *_member(found, journal, 0.0, -scale, "1"),
@@ -133,8 +134,8 @@ def worn(found: PivotFound) -> Drawing:
 
 
 def drawn_scale(found: PivotFound) -> float:
-    """Metres of wear to a millimetre of paper."""
-    return found.worst.greatest / MOST
+    """Metres of wear to a millimetre of paper, round."""
+    return round_scale(found.worst.greatest, MOST)
 
 
 def _member(found: PivotFound, of: Member, x: float, scale: float, number: str) -> Iterator[Item]:
