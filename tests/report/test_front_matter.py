@@ -81,6 +81,39 @@ def test_a_fuller_wording_stands_for_the_shorter_one():
     assert found == [("d a", "tip diameter of wheel 1")]
 
 
+def test_a_letter_with_two_meanings_stands_once_with_the_sections_that_mean_it():
+    gathered = SymbolList()
+    gathered.add(Symbol("m"), Message("module"), "mm", "9.2")
+    gathered.add(Symbol("m"), Message("mass of the flywheel"), "kg", "7")
+    gathered.add(Symbol("m", "2"), Message("mass of link %(of)s", {"of": "2"}), "kg", "1")
+    found = [(words(line.symbols), words(line.meaning), line.unit) for line in gathered.lines(page())]
+    assert found == [
+        ("m", "module, mm (section 9.2); mass of the flywheel, kg (section 7)", ""),
+        ("m 2", "mass of link 2", "kg"),
+    ]
+
+
+def test_what_is_said_more_closely_of_a_thing_is_the_thing():
+    moment = Message("balancing moment")
+    other = Message("%(of)s by the power balance", {"of": moment})
+    assert lines((Symbol("M"), moment, "N·m"), (Symbol("M"), other, "N·m")) == [("M", "balancing moment")]
+
+
+def test_names_in_words_stand_each_in_a_line():
+    def force(at, name):
+        return Symbol("P", at), Message("force on point %(at)s: %(name)s", {"at": at, "name": name}), "N"
+
+    assert lines(force("B", "gas pressure"), force("D", "feed force")) == [
+        ("P B", "force on point B: gas pressure"),
+        ("P D", "force on point D: feed force"),
+    ]
+
+
+def test_primes_of_a_greek_letter_leave_it_among_the_greek_ones():
+    plain = [(Symbol(base), Message(base), "") for base in ("psi′", "omega", "rho", "x")]
+    assert [words(symbol)[0] for symbol, _ in lines(*plain)] == ["x", "ρ", "ψ", "ω"]
+
+
 def test_segments_name_themselves():
     assert lines((Symbol("pb", kind="segment"), Message("length of a vector"), "mm")) == []
 

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from html import escape
 from itertools import groupby
+from typing import overload
 
 from tmm_report.quantity import symbols
 from tmm_report.records import dataclass
@@ -68,6 +69,12 @@ def symbol(text: str, bar: bool = False) -> Symbol:
     return _marked(text, bar)
 
 
+@overload
+def lettered(quantity: symbols.Symbol, words: Callable[[str], str] = str) -> Symbol: ...
+@overload
+def lettered(quantity: None, words: Callable[[str], str] = str) -> None: ...
+@overload
+def lettered(quantity: symbols.Symbol | None, words: Callable[[str], str] = str) -> Symbol | None: ...
 def lettered(quantity: symbols.Symbol | None, words: Callable[[str], str] = str) -> Symbol | None:
     """The symbol of a quantity as it is drawn; `words` translates those of its indices."""
     if quantity is None:

@@ -118,19 +118,29 @@ class OfQuantity:
 class Column(OfQuantity):
     """A quantity at the rows of a table: (P,) numbers in its unit, or a list of texts.
 
-    `symbols`: of each row, where the rows are wheels or other things that name the symbol. `units`: of each row, where
-    the rows measure different things; they stand in the results in the column "unit" of the table. `asked`: whether a
-    person may be asked for it; not where it is given, or stands in another table by another name."""
+    `symbols`: of each row, where the rows are wheels or other things that name the symbol; `meanings`: of each, where
+    they name that, too. `units`: of each row, where the rows measure different things; they stand in the results in the
+    column "unit" of the table. `asked`: whether a person may be asked for it; not where it is given, or stands in
+    another table by another name."""
 
     quantity: Quantity
     values: Any
     symbols: Sequence[Symbol] = ()
     units: Sequence[str] = ()
     asked: bool = True
+    meanings: Sequence[Message] = ()
+
+    @classmethod
+    def of_each(cls, quantity: Quantity, values: Any, own: Sequence[Quantity]) -> Column:
+        """A column of which each row is a quantity of its own: of a link, of a point."""
+        return cls(quantity, values, [one.sign for one in own], meanings=[one.meaning for one in own])
 
     def symbol(self, row: int | None = None) -> Symbol:
         """Raises ValueError for a column of texts."""
         return self.symbols[row] if self.symbols and row is not None else self.quantity.sign
+
+    def meaning_of(self, row: int) -> Message:
+        return self.meanings[row] if self.meanings else self.meaning
 
     def numbers(self, unit: str = "") -> Array:
         """Its numbers (P,), in another unit if one is named."""
@@ -193,7 +203,15 @@ class Table:
         """The number of a row, for a formula."""
         column, ref = self[key], self.ref(key, row, unit, size)
         own = unit or column.unit_of(row)
-        return variable(column.quantity, column.number(row, unit), own, digits, ref, column.symbol(row))
+        return variable(
+            column.quantity,
+            column.number(row, unit),
+            own,
+            digits,
+            ref,
+            column.symbol(row),
+            column.meaning_of(row),
+        )
 
     def formula(
         self, key: str, row: int, expression: Expr, unit: str = "", size: bool = False, **form: Any
@@ -201,7 +219,7 @@ class Table:
         """`symbol of the key` = expression, whose value, or `size`, stands in the row."""
         column, ref = self[key], self.ref(key, row, unit, size)
         own = unit or column.unit_of(row)
-        return Formula(column.symbol(row), expression, own, ref=ref, meaning=column.meaning, **form)
+        return Formula(column.symbol(row), expression, own, ref=ref, meaning=column.meaning_of(row), **form)
 
 
 @dataclass(frozen=True)
@@ -254,13 +272,14 @@ def variable(
     digits: int | None = None,
     ref: Ref | None = None,
     symbol: Symbol | None = None,
+    meaning: Message | None = None,
 ) -> Var:
     """A quantity's number, in `unit` where it is not its own, as a variable of a formula."""
     unit = unit or quantity.unit
     number = abs(number) if ref is not None and ref.size else number
     # a formula is evaluated in radians and printed in degrees
     number = math.radians(number) if unit == "deg" else number
-    return Var(symbol or quantity.sign, number, unit, digits, ref, quantity.meaning)
+    return Var(symbol or quantity.sign, number, unit, digits, ref, meaning or quantity.meaning)
 
 
 @dataclass(frozen=True, eq=False)

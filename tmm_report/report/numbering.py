@@ -106,6 +106,12 @@ class Numbering:
         """The numbered chapters."""
         return [section for section in self.sections if section.level == 1 and section.place.number]
 
+    @property
+    def here(self) -> str:
+        """The number of the chapter, or of its section, that is being written; "" before the first."""
+        near = (one for one in reversed(self.sections) if one.level <= 2 and one.place.number)
+        return next((one.place.number for one in near), "")
+
     def has(self, label: str) -> bool:
         return label in self.places
 

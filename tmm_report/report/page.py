@@ -40,7 +40,7 @@ from tmm_report.report.paper.layout import Cell, Words, runs
 from tmm_report.report.paper.sheets import Paper
 from tmm_report.report.part import WHOLE, Note
 from tmm_report.report.sources import SOURCES
-from tmm_report.report.symbol_list import SymbolList
+from tmm_report.report.symbol_list import SymbolList, thing
 from tmm_report.resources import data_root
 
 P = ParamSpec("P")
@@ -189,6 +189,10 @@ class Page:
         name = "table" if first else "last" if last else "continued"
         return self.called(name, n=place.number, title=title)
 
+    def index_word(self, word: str) -> str:
+        """A word of an index, where a drawing has it."""
+        return self.tr.pgettext("index", word)
+
     def on_one_line(self, text: str) -> Markup:
         """Text that stands where no markup is read."""
         return Markup(xml_escape(self.name(text)))
@@ -246,7 +250,7 @@ class Page:
         """
         items = []
         for sign, meaning, unit in explained(*formulas):
-            key = "segment" if sign.kind == "segment" else sign
+            key = "segment" if sign.kind == "segment" else (sign, str(thing(meaning)))
             kind = {"kind": meaning.text} if kinds_once else {}
             items.append({"symbol": sign, "id": key, "unit": unit, "message": meaning, **kind})
         return items
@@ -257,7 +261,7 @@ class Page:
         for item in items:
             sign = math_symbol(item["symbol"]) if isinstance(item["symbol"], str) else item["symbol"]
             if isinstance(sign, Symbol):
-                self.symbols.add(sign, item.get("message") or item["meaning"], item.get("unit", ""))
+                self.means(sign, item.get("message") or item["meaning"], item.get("unit", ""))
         told = [
             {"meaning": self.message(item["message"]), **item} if "message" in item else item
             for item in items
@@ -271,6 +275,10 @@ class Page:
         from tmm_report.report.paper.frames import lines_above_first
 
         return lines_above_first(sections, self)
+
+    def means(self, sign: Symbol, meaning: Message | Markup, unit: str) -> None:
+        """Puts a symbol into the list of symbols."""
+        self.symbols.add(sign, meaning, unit, self.numbering.here)
 
     def contents(self) -> list[Markup]:
         """The numbered chapters written so far, by their titles."""
@@ -369,7 +377,7 @@ class Page:
         """
         column = table[key]
         unit = unit or column.quantity.shown
-        self.symbols.add(column.symbol(), column.meaning, unit or column.unit)
+        self.means(column.symbol(), column.meaning, unit or column.unit)
         numbers = column.numbers(unit)[:rows]
         texts = self.col(np.abs(numbers) if size else numbers, digits)
         cells = list(map(Cell, texts, table.refs(key, unit, size)))

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
-from tmm_report.problems import Message
+from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import X_PART, Y_PART
 from tmm_report.quantity.symbols import GREEK, Symbol
 from tmm_report.records import dataclass
@@ -23,11 +23,12 @@ LETTERS = "ijkl"  # what stands for names where several differ
 
 
 class Meant(NamedTuple):
-    """A symbol with its meaning: a message, or words that are ready."""
+    """A symbol with its meaning: a message, or words that are ready. `section`: number of that which says so."""
 
     sign: Symbol
     meaning: Message | Markup
     unit: str
+    section: str = ""
 
 
 class Line(NamedTuple):
@@ -42,48 +43,85 @@ class Line(NamedTuple):
 class SymbolList:
     """Symbols in the order in which the note uses them, each meaning once."""
 
-    _found: dict[tuple[Symbol, str, str], Meant] = field(default_factory=dict)
+    _found: dict[tuple[Symbol, str], Meant] = field(default_factory=dict)
 
-    def add(self, sign: Symbol, meaning: Message | Markup, unit: str) -> None:
-        """Lengths of drawn segments name themselves by their ends, projections by their axes."""
+    def add(self, sign: Symbol, meaning: Message | Markup, unit: str, section: str = "") -> None:
+        """Lengths of drawn segments name themselves by their ends, projections by their axes; a thing of which more is
+        said than what it is, as by which method it was found, is that thing."""
         projection = isinstance(meaning, Message) and meaning.text in (X_PART, Y_PART)
         if sign.kind != "segment" and not projection:
-            self._found.setdefault((sign, str(meaning), unit), Meant(sign, meaning, unit))
+            meant = Meant(sign, thing(meaning), unit, section)
+            self._found.setdefault((sign, str(meant.meaning)), meant)
+
+    def meanings(self, page: Any) -> dict[Symbol, list[Meant]]:
+        """What each symbol stands for, in the unit of its first use; a fuller wording stands for the shorter one, which
+        begins it, in the same unit."""
+        found: dict[Symbol, dict[Markup, Meant]] = {}
+        for one in self._found.values():
+            found.setdefault(one.sign, {}).setdefault(_words(one, page), one)
+        return {
+            sign: [
+                one
+                for words, one in said.items()
+                if not any(
+                    other is not one and other.unit == one.unit and longer.startswith(words)
+                    for longer, other in said.items()
+                )
+            ]
+            for sign, said in found.items()
+        }
 
     def lines(self, page: Any) -> list[Line]:
-        """Latin letters first, then Greek ones; `page`: how they are printed."""
-        groups: dict[tuple[str, str, str], list[Meant]] = {}
-        for one in self._found.values():
-            text = one.meaning.text if isinstance(one.meaning, Message) else str(one.meaning)
-            groups.setdefault((one.sign.base, text, one.unit), []).append(one)
-        for group in groups.values():
-            group.sort(key=lambda one: _order(one.sign))
-        ordered = sorted(groups.values(), key=lambda group: _order(group[0].sign))
-        return _once([_line(group, page) for group in ordered])
+        """Latin letters first, then Greek ones, each symbol once: one that has a second meaning in another chapter has
+        a line of its own. `page`: how they are printed."""
+        groups: dict[tuple[Any, ...], list[Meant]] = {}
+        twice: dict[Symbol, list[Meant]] = {}
+        for sign, said in self.meanings(page).items():
+            if len(said) > 1:
+                twice[sign] = said
+                continue
+            (one,) = said
+            groups.setdefault((sign.base, *_kind(one.meaning, page), one.unit), []).append(one)
+        ordered = [sorted(group, key=lambda one: _order(one.sign)) for group in groups.values()]
+        lines = [(group[0].sign, _line(group, page)) for group in ordered]
+        lines += [(sign, _apart(said, page)) for sign, said in twice.items()]
+        return [line for _, line in sorted(lines, key=lambda one: _order(one[0]))]
 
 
-def _once(lines: Sequence[Line]) -> list[Line]:
-    """Each meaning of a symbol once, in the unit of its first use; a fuller wording stands for the shorter one."""
-    lines = list({(line.symbols, line.meaning): line for line in reversed(lines)}.values())[::-1]
-    alike: dict[tuple[Markup, str], list[Line]] = {}
-    for line in lines:
-        alike.setdefault((line.symbols, line.unit), []).append(line)
-    return [
-        line
-        for line in lines
-        if not any(
-            other is not line and other.meaning.startswith(line.meaning)
-            for other in alike[line.symbols, line.unit]
-        )
-    ]
+def thing(meaning: Message | Markup) -> Message | Markup:
+    said = isinstance(meaning, Message) and meaning.text.startswith("%(of)s") and meaning.values["of"]
+    return thing(said) if isinstance(said, Message) else meaning
 
 
-def _order(sign: Symbol) -> tuple[bool, str, str, list[str | int], str]:
+def _kind(meaning: Message | Markup, page: Any) -> tuple[str, ...]:
+    """What meanings have alike that differ only by names of points or links; what is said in words is no such name."""
+    if not isinstance(meaning, Message):
+        return (str(meaning),)
+    values = (value for value in meaning.values.values() if not isinstance(value, Symbol))
+    texts = (str(page.text(_shown(value, page))) for value in values)
+    return (meaning.text, *(text for text in texts if " " in text))
+
+
+def _words(one: Meant, page: Any) -> Markup:
+    return Markup(page.message(one.meaning)) if isinstance(one.meaning, Message) else one.meaning
+
+
+def _apart(said: Sequence[Meant], page: Any) -> Line:
+    """Of a symbol with several meanings: each with its unit and the section that means it."""
+    texts = []
+    for one in said:
+        meaning = page.listed([_words(one, page), *([page.unit(one.unit)] if one.unit else [])])
+        where = N_("%(meaning)s (section %(n)s)")
+        texts.append(page.t(where, meaning=meaning, n=one.section) if one.section else meaning)
+    return Line(page.sym(said[0].sign), page.listed(texts, "; "), "")
+
+
+def _order(sign: Symbol) -> tuple[bool, str, str, str, list[str | int], str]:
     """As in an index: m_2 before m_10."""
-    greek = sign.base in GREEK
-    plain = unicodedata.normalize("NFKD", GREEK.get(sign.base, sign.base))
+    letter = sign.base.rstrip("'′″‴")
+    plain = unicodedata.normalize("NFKD", GREEK.get(letter, letter))
     index = [int(one) if one.isdecimal() else one for one in re.split(r"(\d+)", sign.sub)]
-    return (greek or not plain[:1].isascii(), plain.lower(), plain, index, sign.sup)
+    return (not plain[:1].isascii(), plain.lower(), plain, sign.base, index, sign.sup)
 
 
 def _line(group: Sequence[Meant], page: Any) -> Line:

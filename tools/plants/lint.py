@@ -8,6 +8,7 @@ PLANTED, READERS, COMMAND = (
     ("tests/lint/test_lint_readers.py",),
     ("tests/lint/test_lint_command.py",),
 )
+MEANINGS = ("tests/lint/test_meanings.py",)
 FAULTS = (
     Fault("a range refers to its ends alone", ROOM + "page.py",
           'inner = [f"{match[1]}{k}" for k in range(first, number)]', "inner = []", tests=READERS),
@@ -33,6 +34,18 @@ FAULTS = (
           "(1j if clockwise else -1j) * half", tests=READERS),
     Fault("lettering measured as if it began in its middle", ROOM + "lettered.py", '{"middle": 0.5, "end": 1.0}',
           '{"middle": 1.0, "end": 0.5}', tests=READERS),
+    Fault("arms on the lever under the letter of those of the scheme",
+          "tmm_report/chapters/lever/force_plans/lever_quantities.py", 'symbol = Symbol("h′", ',
+          'symbol = Symbol("h", ', tests=MEANINGS),
+    Fault("shafts of a drive under the numbers of its wheels", "tmm_report/chapters/gears/drive/power/steps.py",
+          "k, roman(k))", "k, str(k))", tests=MEANINGS),
+    Fault("the journal under the letter of a distance", "tmm_report/chapters/lever/friction/quantities.py",
+          'Symbol("d", JOURNAL)', 'Symbol("d")', tests=MEANINGS),
+    Fault("each method another quantity in the list of symbols", "tmm_report/report/symbol_list.py",
+          "meant = Meant(sign, thing(meaning)", "meant = Meant(sign, meaning", tests=MEANINGS),
+    Fault("a second meaning does not tell its section", "tmm_report/report/symbol_list.py",
+          "n=one.section) if one.section else meaning", 'n="") if one.section else meaning',
+          tests=("tests/report/test_front_matter.py",)),
     Fault("lines through lettering are not looked at in a solved folder", ROOM + "checks.py",
           "(*QUICK, drawings.on_lines, sheets.empty)", "QUICK", tests=PLANTED),
     Fault("a box over the margin by ten points passes", ROOM + "paper.py", "OVERFULL = 1.0", "OVERFULL = 100.0",

@@ -30,7 +30,7 @@ COURSE = Message(N_("the demanded number over the range of the unknown"))
 GRID = Message(N_("the demanded numbers over the ranges of the unknowns"))
 LOST = Message(N_("parts of the range in which the variant has no such number"))
 JUMPS = Message(N_("values of the unknown at which the demanded number jumps over the wanted one"))
-NUMBER = Quantity("number", Symbol("k"), "", Message(N_("number of the root")))
+NUMBER = Quantity("number", Symbol("j"), "", Message(N_("number of the root")))
 COUNT = Quantity("find_count", Symbol("k"), "", Message(N_("number of roots in the range")))
 SOLVED = Quantity("find_solved", Symbol("N"), "", Message(N_("how many values were tried")))
 

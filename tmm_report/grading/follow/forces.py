@@ -229,7 +229,7 @@ class Forces:
         moment = derived(table.balancing, lambda *_: -load.moment, *inputs)
         if linkage.mechanism.driver.stroke is not None:  # no moment acts on the link to which it is reduced
             moment = lever
-        known = self.sheet.number(self.say.BY_GROUPS.key, table.balancing, moment, lever)
+        known = self.sheet.number(self.say.BALANCING_MOMENT.key, table.balancing, moment, lever)
         if (stroke := linkage.mechanism.driver.stroke) is not None:
             transfer = stroke.transfer(stroke.law.of_phase(table.motion.phase)[0])
             force = derived(table.statics.driving, lambda m: m * transfer, known)

@@ -18,12 +18,14 @@ from tmm_report.chapters.gears.planetary.quantities import stage as planetary_qu
 from tmm_report.chapters.gears.planetary.solve import stage as planetary
 from tmm_report.chapters.gears.spur import quantities as spur_quantities
 from tmm_report.chapters.gears.spur.solve import pair as spur
+from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text_column
 from tmm_report.quantity.sheet import Row, columns
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
+EXTERNAL = NP_("index", "ext")
 STAGES = Message(N_("stages of the drive in the order of the power"))
 SPEEDS = Message(N_("angular velocities of the members of the drive"))
 SEGMENTS = Message(N_("segments of the plan of angular velocities of the drive"))
@@ -142,7 +144,7 @@ def _comparison(found: Found) -> tuple[Column, ...]:
 
 def _loads(found: Found) -> tuple[Column, ...]:
     loads = found.loads
-    torque = Quantity("T", Symbol("T"), "N·m", Message(N_("external torque")))
+    torque = Quantity("T", Symbol("T", EXTERNAL), "N·m", Message(N_("external torque")))
     power = Quantity("N", Symbol("N"), "W", Message(N_("power; positive: supplied")))
     return (
         text_column("member", MEMBER, list(loads.torque)),

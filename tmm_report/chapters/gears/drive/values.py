@@ -39,7 +39,7 @@ class Values(Sheet):
     laid = Q(None, "mm", N_("segment as which this velocity is laid off"))
 
     M_fr = Q("M_fr", "N·m", RUBBING)
-    M_mean = Q(Symbol("M", MEAN), "N·m", MOMENT)
+    M_mean = Q(Symbol("M", f"bal,{MEAN}"), "N·m", MOMENT)
     M_greatest = Q(
         Symbol("M", GREATEST), "N·m", N_("balancing moment of the driving link of the greatest size")
     )
@@ -78,5 +78,5 @@ def letters(found: Found) -> dict[str, Q]:
     }  # fmt: skip
     own = {key: of[key].called(symbol) for key, symbol in called.items()}
     if found.moments is not None and found.moments.rubs:
-        own["M_mean"] = Q(Symbol("M", MEAN), "N·m", RUBBED)
+        own["M_mean"] = Q(Symbol("M", f"bal,{MEAN}"), "N·m", RUBBED)
     return own

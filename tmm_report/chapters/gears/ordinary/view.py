@@ -161,7 +161,7 @@ class OrdinaryView(ChapterView):
         return self.t(text, wrap=self.number(key, "deg"), least=least)
 
     def sketch(self) -> Drawing:
-        return sketch(self.found, str(self.heading))
+        return sketch(self.found, str(self.heading), self.page.index_word)
 
     def conclusions(self) -> list[Markup]:
         return []

@@ -23,7 +23,7 @@ RULE = N_("least teeth of a ring without shift by the rule of the course")
 
 
 class Values(Sheet):
-    u_wanted = Q("u", "", WANTED)
+    u_wanted = Q(Symbol("u", "", "′"), "", WANTED)
     tolerance = Q("Delta_u", "%", N_("allowed deviation of the ratio"))
     m = Q("m", "m", MODULE, *MM)
     m_I = Q("m_I", "m", MODULE, *MM)

@@ -23,7 +23,7 @@ COMPARED = Message(N_("the balancing moment by Zhukovsky's lever beside that by 
 THRUST = Message(N_("the balancing force along the stroke by Zhukovsky's lever beside that by other ways"))
 
 SIZE = Quantity("size", Symbol("F"), "N", Message(N_("size of the force")))
-ARM = Quantity("arm_mm", Symbol("h"), "mm", Message(N_("arm of the force about the pole")))
+ARM = Quantity("arm_mm", Symbol("h′"), "mm", Message(N_("arm of the force about the pole")))
 MOMENT = Quantity(
     "moment", Symbol("F·h"), "N·mm", Message(N_("moment of the force about the pole, + counter-clockwise"))
 )
@@ -42,7 +42,7 @@ DELTA = Quantity("delta", None, "%", Message(N_("difference of the lever from it
 
 def arm_on_lever(force: Quantity) -> Quantity:
     name = force.sign
-    symbol = Symbol("h", name.base + name.sub, name.sup)
+    symbol = Symbol("h′", name.base + name.sub, name.sup)
     meaning = Message(N_("arm of force %(of)s on the lever"), {"of": name})
     return Quantity(f"h_{force.key}_p", symbol, "mm", meaning)
 

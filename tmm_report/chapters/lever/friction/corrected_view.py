@@ -122,7 +122,9 @@ class CorrectedView(SlidingView):
         rate = self.table("friction_table").var(q.rate(first).key, k)
         friction = self.friction_at(row)
         if pair.kind == "R":
-            arm = stated.var("d", row) if diameter else Var("d", 0.0, "m", ref=stated.ref("d", row))
+            arm = (
+                stated.var("d", row) if diameter else Var(q.DIAMETER.sign, 0.0, "m", ref=stated.ref("d", row))
+            )
             friction = friction * self.reactions.var(c.corrected_reaction(pair).key, k) * (arm / 2)
         else:
             friction = friction * self.reactions.var(c.corrected_pressing(pair).key, k)

@@ -9,6 +9,7 @@ from tmm_report.chapters.lever.friction import corrected_quantities, sliding_qua
 from tmm_report.chapters.lever.friction.solve import FrictionFound, Losses, PairLoss
 from tmm_report.chapters.lever.kinematics.quantities import where
 from tmm_report.chapters.lever.kinetostatics.quantities.positions import both, guide_moment, reaction
+from tmm_report.i18n import NP_
 from tmm_report.mechanics.lever.assur_groups import Pair
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, Value, text_column
@@ -18,9 +19,10 @@ from tmm_report.quantity.tabulated import tabulated
 GIVEN = Message(N_("friction in the kinematic pairs"))
 LOSSES = Message(N_("friction power and instantaneous efficiency"))
 
+JOURNAL, SLIDER = NP_("index", "jour"), NP_("index", "sld")
 COEFFICIENT = Quantity("f", Symbol("f"), "", Message(N_("coefficient of friction")))
-DIAMETER = Quantity("d", Symbol("d"), "m", Message(N_("diameter of the journal")))
-LENGTH = Quantity("l", Symbol("l"), "m", Message(N_("length of the slider")), "mm")
+DIAMETER = Quantity("d", Symbol("d", JOURNAL), "m", Message(N_("diameter of the journal")))
+LENGTH = Quantity("l", Symbol("l", SLIDER), "m", Message(N_("length of the slider")), "mm")
 TOTAL = Quantity("P_fr", Symbol("P", "fr"), "W", Message(N_("power of friction in all the pairs")))
 DRIVING = Quantity("P_drive", Symbol("P", "1"), "W", Message(N_("power of the balancing moment")))
 REDUCED = Quantity(

@@ -255,7 +255,7 @@ class FrictionView(SlidingView):
             arm = (
                 stated.var("d", row)
                 if loss.rubbing.diameter
-                else Var("d", 0.0, "m", ref=stated.ref("d", row))
+                else Var(q.DIAMETER.sign, 0.0, "m", ref=stated.ref("d", row))
             )
             friction = friction * (arm / 2)
         rate = self.lost.var(q.rate(loss).key, k)

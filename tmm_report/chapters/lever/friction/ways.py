@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from tmm_report.chapters.lever.friction.quantities import LENGTH
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Var
-from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.ways import NAME, STATED, Known, Way, summed
 
 BOOK = N_("From the table of materials, by the two that rub and their lubrication.")
@@ -49,7 +49,7 @@ def _pressed(q: Known) -> Expr:
     length = next(loss.rubbing.length for loss in q.found.table.pairs if loss.pair.key == pair)
     force, couple = q("R_{0}"), q("M_{0}")
     if float(couple.number) * 2 > float(force.number) * length:
-        return 2 * couple / Var(Symbol("l"), length, "m")
+        return 2 * couple / Var(LENGTH.sign, length, "m")
     return force
 
 

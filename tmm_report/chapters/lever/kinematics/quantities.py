@@ -156,7 +156,7 @@ def _method(choice: Choice) -> tuple[Column, ...]:
 SLIDER = (
     ("S", "S", "m", "", N_("displacement of slider %(name)s from position 0")),
     ("V", "V", "m/s", "", N_("velocity of slider %(name)s")),
-    ("A", "a", "m/s²", "", N_("acceleration of slider %(name)s")),
+    ("A", "a", "m/s²", "", N_("acceleration of point %(of)s")),
 )
 ROCKER = (
     ("psi", "psi", "rad", "deg", N_("angle of link %(name)s from position 0")),
@@ -173,7 +173,13 @@ def motion_of(output: Output) -> tuple[Quantity, Quantity, Quantity]:
 @kept
 def _motion_of(kind: str, name: str) -> tuple[Quantity, Quantity, Quantity]:
     displacement, velocity, acceleration = (
-        Quantity(f"{key}_{name}", Symbol(base, name), unit, Message(text, {"name": name}), shown)
+        Quantity(
+            f"{key}_{name}",
+            Symbol(base, name),
+            unit,
+            Message(text, {"of" if base == "a" else "name": name}),
+            shown,
+        )
         for key, base, unit, shown, text in (SLIDER if kind == "slider" else ROCKER)
     )
     return displacement, velocity, acceleration

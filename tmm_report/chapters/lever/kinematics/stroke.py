@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tmm_report.chapters.lever.initial_data.quantities import length
 from tmm_report.chapters.lever.kinematics.solve.analogues import in_unit_motion, time
 from tmm_report.chapters.lever.kinematics.solve.points_and_links import along, where
 from tmm_report.mechanics.lever.driving.reversed import Reversed
@@ -32,7 +33,10 @@ LENGTH = replace(PLACE, meaning=Message(N_("stroke: length of the driving cylind
 SPEED = Quantity("stroke_v", Symbol("v", "s"), "m/s", Message(N_("speed of the stroke")))
 ACCELERATION = Quantity("stroke_a", Symbol("a", "s"), "m/s²", Message(N_("acceleration of the stroke")))
 GUIDE = Quantity(
-    "stroke_gamma", Symbol("gamma"), "deg", Message(N_("angle of the driving slider's guide with the x axis"))
+    "stroke_gamma",
+    Symbol("gamma", "0"),
+    "deg",
+    Message(N_("angle of the driving slider's guide with the x axis")),
 )
 LAG = Quantity(
     "stroke_lag",
@@ -47,29 +51,22 @@ def of(stroke: Stroke) -> Quantity:
     return PLACE if stroke.slides else LENGTH
 
 
-def _between(one: str, other: str) -> Symbol:
-    return Symbol("l", one + other)
-
-
 def arm(stroke: Triangle) -> Quantity:
     """r = OP."""
     pivot, pin, _ = stroke.names
-    meaning = Message(N_("distance between points %(one)s and %(other)s"), {"one": pivot, "other": pin})
-    return Quantity("stroke_arm", _between(pivot, pin), "m", meaning)
+    return replace(length(pivot + pin), key="stroke_arm")
 
 
 def rod(stroke: Triangle) -> Quantity:
     """d = PQ of a slider."""
     _, pin, far = stroke.names
-    meaning = Message(N_("distance between points %(one)s and %(other)s"), {"one": pin, "other": far})
-    return Quantity("stroke_rod", _between(pin, far), "m", meaning)
+    return replace(length(pin + far), key="stroke_rod")
 
 
 def base(stroke: Triangle) -> Quantity:
     """OQ."""
     pivot, _, far = stroke.names
-    meaning = Message(N_("distance between points %(one)s and %(other)s"), {"one": pivot, "other": far})
-    return Quantity("stroke_base", _between(pivot, far), "m", meaning)
+    return replace(length(pivot + far), key="stroke_base")
 
 
 def _angle(key: str, letter: str, one: str, other: str) -> Quantity:

@@ -45,8 +45,9 @@ LEAST = Quantity(
 )
 
 
-def _error(key: str, index: str, meaning: str) -> Quantity:
-    return Quantity(key, Symbol("epsilon", index), "", Message(meaning))
+def _error(key: str, index: str, meaning: str, taken: str = "") -> Quantity:
+    """`taken`: how many positions the table has from which something is taken."""
+    return Quantity(key, Symbol("epsilon", index, taken), "", Message(meaning))
 
 
 def _by_key(*quantities: Quantity) -> dict[str, Quantity]:
@@ -63,15 +64,24 @@ ERRORS = _by_key(
 
 COUNTS = Message(N_("errors of what is taken from a table, by its number of positions"))
 ENOUGH = Message(N_("least number of positions from which on the error is admitted"))
+OF_TABLE = "N"
 TAKEN_FROM = _by_key(
-    _error("velocity", "v", N_("error of the greatest velocities of points")),
-    _error("acceleration", "a", N_("error of the greatest accelerations of points")),
-    _error("moment", "M", N_("error of the extremes of the balancing moment")),
-    _error("work", "A", N_("error of the work of the loads over the cycle")),
-    _error("inertia_mean", NP_("index", "mean"), N_("error of the mean of the reduced moment of inertia")),
-    _error("inertia", "I", N_("error of the extremes of the reduced moment of inertia")),
+    _error("velocity", "v", N_("error of the greatest velocities of points"), OF_TABLE),
+    _error("acceleration", "a", N_("error of the greatest accelerations of points"), OF_TABLE),
+    _error("moment", "M", N_("error of the extremes of the balancing moment"), OF_TABLE),
+    _error("work", "A", N_("error of the work of the loads over the cycle"), OF_TABLE),
     _error(
-        "unevenness", "delta", N_("error of the coefficient of speed fluctuation, and so of the flywheel")
+        "inertia_mean",
+        NP_("index", "mean"),
+        N_("error of the mean of the reduced moment of inertia"),
+        OF_TABLE,
+    ),
+    _error("inertia", "I", N_("error of the extremes of the reduced moment of inertia"), OF_TABLE),
+    _error(
+        "unevenness",
+        "delta",
+        N_("error of the coefficient of speed fluctuation, and so of the flywheel"),
+        OF_TABLE,
     ),
 )
 ADMITTED = Quantity(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tmm_report.i18n import NP_
-from tmm_report.problems import N_
+from tmm_report.problems import N_, Message
 from tmm_report.quantity.sheet import Q, Sheet
 
 WORDS = (
@@ -13,6 +13,13 @@ WORDS = (
     NP_("index", "met"),
     NP_("index", "work"),
 )
+
+
+X_OF, Y_OF = N_("x of point %(name)s"), N_("y of point %(name)s")
+
+
+def _centre(coordinate: str) -> Message:
+    return Message(N_("%(of)s, the centre of the arc"), {"of": Message(coordinate, {"name": "Q"})})
 
 
 class Values(Sheet, prefix="synthesis"):
@@ -97,8 +104,8 @@ class Values(Sheet, prefix="synthesis"):
         "Delta_r", "rad", N_("greatest difference from the stated pairs with the rounded lengths"), "deg"
     )
     error = Q("Delta_max", "rad", N_("greatest difference of the rocker's angle from the function"), "deg")
-    centre_x = Q("x_Q", "m", N_("abscissa of the centre of the arc"), "mm")
-    centre_y = Q("y_Q", "m", N_("ordinate of the centre of the arc"), "mm")
+    centre_x = Q("x_Q", "m", _centre(X_OF), "mm")
+    centre_y = Q("y_Q", "m", _centre(Y_OF), "mm")
     crank_pivot_x = Q("x_O", "m", N_("abscissa of the pivot of the crank"), "mm")
     crank_pivot_y = Q("y_O", "m", N_("ordinate of the pivot of the crank"), "mm")
     rocker_pivot_x = Q("x_C", "m", N_("abscissa of the pivot of the rocker"), "mm")

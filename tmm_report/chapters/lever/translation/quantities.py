@@ -42,7 +42,8 @@ MISS = Quantity(
 def place(found: Found) -> Quantity:
     """Of the link along its guide; of a driving cylinder its length."""
     if not found.link:
-        return Quantity("s", Symbol("s"), "m", Message(N_("length of the driving cylinder")))
+        meaning = Message(N_("stroke: length of the driving cylinder between its points"))
+        return Quantity("s", Symbol("s"), "m", meaning)
     return Quantity("s", Symbol("s", found.link), "m", _of(found, N_("place of link %(of)s along its guide")))
 
 

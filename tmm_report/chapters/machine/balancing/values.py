@@ -11,10 +11,11 @@ from tmm_report.quantity.sheet import Q, Sheet
 from tmm_report.quantity.symbols import Symbol
 
 RMS = NP_("index", "rms")  # root mean square
+RECIPROCATING = NP_("index", "recip")
 
 
 class Values(Sheet):
-    k_part = Q("k", "", N_("balanced part of the reciprocating masses"))
+    k_part = Q(Symbol("k", RECIPROCATING), "", N_("balanced part of the reciprocating masses"))
     balancing_disagreement = Q(
         None, "", N_("worst relative disagreement of the shaking with the reactions of the frame")
     )
@@ -112,8 +113,8 @@ class Rotors(Sheet):
     order = Q(None, "", N_("order: turns in a turn of the driving link"))
     mr = Q("U", "kg·m", N_("product of mass and radius of a rotor"))
     alpha = Q("alpha", "deg", N_("angle of its mass from the x axis at position 0"))
-    r = Q("r", "m", N_("radius of the mass of a rotor"), "mm")
-    m = Q("m", "kg", N_("mass of a rotor"))
+    r = Q("r_U", "m", N_("radius of the mass of a rotor"), "mm")
+    m = Q("m_U", "kg", N_("mass of a rotor"))
 
 
 # --- wheels and weights against the moment
@@ -131,14 +132,19 @@ class MomentHarmonics(Sheet):
     M_after = Q("M_k^''", "N·m", N_("harmonic of the shaking moment that is left in the end"))
 
 
+def _pair(base: str) -> Symbol:
+    """Of a pair of weights of order k."""
+    return Symbol(base, "c", "(k)")
+
+
 class Couples(Sheet):
     order = Q("k", "", N_("order: turns in a turn of the driving link"))
     M = Q("M", "N·m", N_("amplitude of the moment of both weights"))
-    U = Q("U", "kg·m", N_("product of mass and radius of each weight"))
-    alpha = Q("alpha", "deg", N_("angle of the weight farther along x from the x axis at position 0"))
-    d = Q("d", "m", N_("distance between the axes of both weights"), "mm")
-    r = Q("r", "m", N_("radius of the mass of a weight"), "mm")
-    m = Q("m", "kg", N_("mass of a weight"))
+    U = Q(_pair("U"), "kg·m", N_("product of mass and radius of each weight"))
+    alpha = Q(_pair("alpha"), "deg", N_("angle of the weight farther along x from the x axis at position 0"))
+    d = Q(_pair("d"), "m", N_("distance between the axes of both weights"), "mm")
+    r = Q(_pair("r"), "m", N_("radius of the mass of a weight"), "mm")
+    m = Q(_pair("m"), "kg", N_("mass of a weight"))
 
 
 # --- counterweights, masses put into joints

@@ -7,12 +7,12 @@ from tmm_report.chapters.machine.dynamics.given import Given
 from tmm_report.i18n import NP_
 from tmm_report.mechanics.calculus.laws import Constant
 from tmm_report.mechanics.machine.characteristics import Kloss, Power
-from tmm_report.problems import N_
+from tmm_report.problems import N_, Message
 from tmm_report.quantity.sheet import Q, Sheet
 from tmm_report.quantity.symbols import Symbol
 
 RES = NP_("index", "res")
-LOAD = NP_("index", "load")
+LOAD, SHAFT, MOTOR = NP_("index", "load"), NP_("index", "shaft"), NP_("index", "mot")
 WORDS = (
     NP_("index", "red"),
     NP_("index", "dr"),
@@ -44,7 +44,7 @@ class Motion(Sheet):
     M_red = Q(
         "M_red",
         "N·m",
-        N_("reduced moment of the loads and weights of the mechanism, along the rotation"),
+        N_("reduced moment of the forces: loads and weights of the mechanism, along the rotation"),
     )
     M_fr = Q("M_fr", "N·m", N_("moment of the resistances of the main shaft, against the rotation"))
     M_lost = Q(
@@ -87,7 +87,7 @@ class Parts(Sheet):
 
     i = Q("i", "", N_("ratio of the speed of the shaft to that of the main shaft"))
     eta = Q("eta", "", N_("efficiency of the gears between the part and the main shaft"))
-    J = Q("J", "kg·m²", N_("moment of inertia of the shaft with what is on it"))
+    J = Q(Symbol("J", SHAFT), "kg·m²", N_("moment of inertia of the shaft with what is on it"))
     M = Q("M", "N·m", N_("moment that resists the shaft"))
     m = Q("m", "kg", N_("mass that moves along"))
     r = Q("r", "m", N_("ratio of the velocity of the mass to the speed of the main shaft"))
@@ -129,7 +129,7 @@ class Values(Sheet, prefix="dynamics"):
     M_closing = Q("M_dr", "N·m", N_("constant moment on the main shaft that closes the cycle"))
     i_motor = Q("i_dr", "", N_("ratio of the speed of the motor to that of the main shaft"))
     eta_motor = Q("eta_dr", "", N_("efficiency of the gear of the motor"))
-    M_motor = Q("M_dr", "N·m", N_("constant moment of the motor"))
+    M_motor = Q(Symbol("M", MOTOR), "N·m", N_("constant moment of the motor"))
     M_stall = Q("M_start", "N·m", N_("moment of the motor at rest"))
     omega_0 = Q("omega_0", "rad/s", N_("speed of the motor without a load"))
     a = Q("a", "N·m/s²", N_("first constant of the series-wound motor"))
@@ -148,7 +148,7 @@ class Values(Sheet, prefix="dynamics"):
     T_cycle = Q("t_c", "s", N_("time of a cycle of the steady motion"))
     multiplier = Q("mu", "", N_("part of a disturbance of the kinetic energy that is left after a cycle"))
     P = Q("P", "W", N_("mean power on the main shaft in steady motion"), "kW")
-    M_steady = Q("M_res", "N·m", N_("resisting moment in steady motion"))
+    M_steady = Q("M_res", "N·m", Message(N_("%(of)s in steady motion"), {"of": Motion.M_res.meaning}))
     J = Motion.J
     T_steady = Q("T", "J", N_("kinetic energy of the machine in steady motion"))
     T_0 = Q("T_0", "J", N_("kinetic energy of the machine at position 0"))

@@ -85,8 +85,13 @@ class Weights(Sheet):
     backward_angle = Q("alpha^-", "deg", N_("angle of the vector of that order from x at angle 0"))
 
 
+FIRES = NP_("index", "ign")
+
+
 class Firing(Sheet):
-    angle = Q("phi", "deg", N_("angle of the crankshaft at which the cylinder fires, from the first"))
+    angle = Q(
+        Symbol("phi", FIRES), "deg", N_("angle of the crankshaft at which the cylinder fires, from the first")
+    )
     interval = Q("Deltaphi", "deg", N_("angle of the crankshaft to the next firing"))
 
 

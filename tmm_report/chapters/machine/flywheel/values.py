@@ -6,7 +6,7 @@ from tmm_report.chapters.lever.moving import FRICTION_POWER, FRICTION_SHARE
 from tmm_report.i18n import NP_
 from tmm_report.problems import N_
 from tmm_report.quantity.sheet import Q, Sheet
-from tmm_report.quantity.symbols import segment
+from tmm_report.quantity.symbols import Symbol, segment
 
 WORDS = (
     NP_("index", "mean"),
@@ -139,18 +139,20 @@ class Methods(Sheet):
     J_fl = Values.J_fl
     deviation = Q("DeltaJ", "%", N_("difference from the exact moment of inertia of the flywheel"))
     phi_1 = Q("phi_1", "deg", N_("angle at which the speed is taken to be greatest"))
-    J_1 = Q("J_1", "kg·m²", N_("varying part of the moment of inertia where the speed is greatest"))
-    A_1 = Q("A_1", "J", N_("work of the excess moment where the speed is greatest"))
+    J_1 = Q("J_II,1", "kg·m²", N_("varying part of the moment of inertia where the speed is greatest"))
+    A_1 = Q(Symbol("A", "", "(1)"), "J", N_("work of the excess moment where the speed is greatest"))
     s_1 = Q("s_1", "(rad/s)²", N_("slope of the tangent at the greatest speed"))
     T_1 = Q(
-        "T_1", "J", N_("work where the speed is greatest, less the energy of the varying part at this speed")
+        "T_I,1",
+        "J",
+        N_("work where the speed is greatest, less the energy of the varying part at this speed"),
     )
     phi_2 = Q("phi_2", "deg", N_("angle at which the speed is taken to be least"))
-    J_2 = Q("J_2", "kg·m²", N_("varying part of the moment of inertia where the speed is least"))
-    A_2 = Q("A_2", "J", N_("work of the excess moment where the speed is least"))
+    J_2 = Q("J_II,2", "kg·m²", N_("varying part of the moment of inertia where the speed is least"))
+    A_2 = Q(Symbol("A", "", "(2)"), "J", N_("work of the excess moment where the speed is least"))
     s_2 = Q("s_2", "(rad/s)²", N_("slope of the tangent at the least speed"))
     T_2 = Q(
-        "T_2", "J", N_("work where the speed is least, less the energy of the varying part at this speed")
+        "T_I,2", "J", N_("work where the speed is least, less the energy of the varying part at this speed")
     )
 
 

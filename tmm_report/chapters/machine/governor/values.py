@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from tmm_report.i18n import NP_
-from tmm_report.problems import N_
+from tmm_report.problems import N_, Message
 from tmm_report.quantity.sheet import Q, Sheet
+from tmm_report.quantity.symbols import Symbol
 
 CONTACT = NP_("index", "cont")
 UPPER, LOWER = NP_("index", "up"), NP_("index", "low")
@@ -12,7 +13,15 @@ LIN = NP_("index", "lin")  # by the equations of small motions
 ALL = NP_("index", "lim")  # allowed
 RE, IM = NP_("index", "re"), NP_("index", "im")  # parts of a complex number
 WORDS = (NP_("index", "st"), NP_("index", "set"))  # static, of settling
+SHOE, BRAKE = NP_("index", "shoe"), NP_("index", "br")
+SPEED, FULL = N_("speed of the machine"), N_("moment of the drive at full supply")
+SUPPLY = N_("supply of the machine, as a fraction of the full one")
+INERTIAL, STABILITY = N_("inertial coefficient of the governor"), N_("factor of stability of the governor")
 COEFFICIENT = N_("coefficient of the characteristic equation")
+
+
+def _steady(text: str) -> Message:
+    return Message(N_("%(of)s in the steady state"), {"of": Message(text)})
 
 
 class Values(Sheet, prefix="governor"):
@@ -74,11 +83,11 @@ class Values(Sheet, prefix="governor"):
     epsilon_allowed = Q(f"epsilon_{ALL}", "", N_("insensitiveness allowed"))
     F_allowed = Q(f"F_{ALL}", "N", N_("friction on the sleeve that the insensitiveness allows"))
     F_sum = Q("F_fr,s", "N", N_("friction on the sleeve with the throttle"))
-    after_omega = Q("omega", "rad/s", N_("speed of the machine in the steady state"))
-    after_M_d = Q("M_d", "N·m", N_("moment of the full supply in the steady state"))
-    after_s = Q("s", "", N_("supply in the steady state"))
-    after_A = Q("A", "kg·m", N_("inertial coefficient in the steady state"))
-    after_S = Q("S", "N/m", N_("factor of stability in the steady state"))
+    after_omega = Q("omega", "rad/s", _steady(SPEED))
+    after_M_d = Q("M_d", "N·m", _steady(FULL))
+    after_s = Q("s", "", _steady(SUPPLY))
+    after_A = Q("A", "kg·m", _steady(INERTIAL))
+    after_S = Q("S", "N/m", _steady(STABILITY))
     after_m = Q("m_red", "kg", N_("mass of the governor reduced to the sleeve"))
     D = Q("D", "N·m·s/rad", N_("self-regulation of the machine"))
     R = Q(
@@ -120,18 +129,18 @@ OF_CRANK = {"b": Q("b", "m", N_("length of the sleeve arm"), "mm")}  # what a be
 
 
 class Brake(Sheet, prefix="governor_brake"):
-    n = Q("n", "", N_("number of shoes"))
-    m = Q("m", "kg", N_("mass of a shoe"))
+    n = Q(Symbol("n", SHOE), "", N_("number of shoes"))
+    m = Q(Symbol("m", SHOE), "kg", N_("mass of a shoe"))
     rho = Q("rho_0", "m", N_("radius of the mass centre of a shoe at rest"), "mm")
-    gap = Q("s", "m", N_("gap between shoe and drum at rest"), "mm")
+    gap = Q(Symbol("s", SHOE), "m", N_("gap between shoe and drum at rest"), "mm")
     rho_contact = Q("rho", "m", N_("radius of the mass centre of a shoe at contact"))
-    R = Q("R", "m", N_("inner radius of the drum"), "mm")
+    R = Q(Symbol("R", BRAKE), "m", N_("inner radius of the drum"), "mm")
     f = Q("f", "", N_("coefficient of friction of a shoe on the drum"))
-    c = Q("c", "N/m", N_("stiffness of the spring of a shoe"), "N/mm")
-    F_0 = Q("F_0", "N", N_("force of the spring of a shoe at rest"))
-    F = Q("F", "N", N_("force of the spring of a shoe at contact"))
+    c = Q(Symbol("c", SHOE), "N/m", N_("stiffness of the spring of a shoe"), "N/mm")
+    F_0 = Q(Symbol("F", f"{SHOE},0"), "N", N_("force of the spring of a shoe at rest"))
+    F = Q(Symbol("F", SHOE), "N", N_("force of the spring of a shoe at contact"))
     M = Q("M", "N·m", N_("moment that drives the shaft of the brake"))
-    J = Q("J", "kg·m²", N_("moment of inertia on the shaft of the brake"))
+    J = Q(Symbol("J", BRAKE), "kg·m²", N_("moment of inertia on the shaft of the brake"))
     contact = Q(f"omega_{CONTACT}", "rad/s", N_("speed at which the shoes touch"))
     K = Q("K", "kg·m²", N_("coefficient of the braking moment"))
     held = Q("omega_h", "rad/s", N_("speed that the brake holds"))
@@ -147,7 +156,7 @@ class Brake(Sheet, prefix="governor_brake"):
     l_C = Q("l_C", "m", N_("distance of the centrifugal force from the pivot of the arm"), "mm")
     l_N = Q("l_N", "m", N_("distance of the normal force of the drum from the pivot of the arm"), "mm")
     l_T = Q("l_T", "m", N_("distance of the friction from the pivot of the arm"), "mm")
-    theta = Q("theta", "rad", N_("angle by which an arm swings until its shoe touches"))
+    theta = Q(Symbol("theta", SHOE), "rad", N_("angle by which an arm swings until its shoe touches"))
     f_lock = Q("f_lim", "", N_("coefficient of friction at which the shoe would lock itself"))
     wanted = Q("omega_w", "rad/s", N_("speed that the brake is to hold"))
     back = Q("omega'_h", "rad/s", N_("speed that the brake holds when it turns the other way"))
@@ -170,13 +179,13 @@ class Places(Sheet):
     r = Q("r", "m", N_("radius of the mass centre of a ball"), "mm")
     dr = Q("r'", "", N_("derivative of the radius of a ball with respect to the lift"))
     dy = Q("y'", "", N_("derivative of the height of a ball with respect to the lift"))
-    A = Q("A", "kg·m", N_("inertial coefficient of the governor"))
+    A = Q("A", "kg·m", INERTIAL)
     E = Q("E", "N", N_("supporting force on the sleeve"))
     dA = Q("A'", "kg", N_("derivative of the inertial coefficient with respect to the lift"))
     dE = Q("E'", "N/m", N_("derivative of the supporting force with respect to the lift"))
     omega_g = Q("omega_g", "rad/s", N_("speed of the governor's shaft in equilibrium"))
     C = Q("C", "N", N_("controlling force of one ball"))
-    S = Q("S", "N/m", N_("factor of stability of the governor"))
+    S = Q("S", "N/m", STABILITY)
     omega_low = Q(f"omega_{LOWER}", "rad/s", N_("speed at which the sleeve begins to sink"), "rpm")
     omega_up = Q(f"omega_{UPPER}", "rad/s", N_("speed at which the sleeve begins to rise"), "rpm")
     epsilon = Q("epsilon", "", N_("insensitiveness of the governor"), "%")
@@ -187,8 +196,8 @@ class Motion(Sheet):
 
     t = Q("t", "s", N_("time"))
     M_c = Q("M_c", "N·m", N_("moment of the load"))
-    M_d = Q("M_d", "N·m", N_("moment of the drive at full supply"))
-    omega = Q("omega", "rad/s", N_("speed of the machine"))
+    M_d = Q("M_d", "N·m", FULL)
+    omega = Q("omega", "rad/s", SPEED)
     deviation = Q(
         "Deltaomega", "rad/s", N_("deviation of the speed of the machine from that before the step")
     )
@@ -198,7 +207,7 @@ class Motion(Sheet):
         N_("deviation of the speed of the machine from that before the step, by the small motions"),
     )
     z = Q("z", "m", N_("lift of the sleeve"), "mm")
-    s = Q("s", "", N_("supply of the machine, as a fraction of the full one"))
+    s = Q("s", "", SUPPLY)
     x = Q("x", "m", N_("shift of the valve by the isodromic feedback"))
 
 
@@ -229,6 +238,6 @@ class Boundary(Sheet):
 
 
 class Braking(Sheet):
-    omega = Q("omega", "rad/s", N_("speed of the shaft of the brake"))
+    omega = Q(Symbol("omega", BRAKE), "rad/s", N_("speed of the shaft of the brake"))
     M_b = Q("M_b", "N·m", N_("braking moment"))
     t = Q("t", "s", N_("time"))

@@ -44,6 +44,16 @@ def table(found: Found, name: str) -> Table:
     return next(one for one in tables(found) if one.name == f"rotor_{name}")
 
 
+PRODUCT = N_("product of the weight in plane %(plane)s")
+
+
+def _own(of: Q, names: Sequence[str], values: Any) -> Column:
+    """A column whose head alone has the index by which its letter differs from those of other tables."""
+    symbols = [Symbol(of.quantity.sign.base, name) for name in names]
+    meanings = [Message(PRODUCT, {"plane": name}) for name in names] if of is Weights.D else ()
+    return Column(of.quantity, values, symbols, meanings=meanings)
+
+
 def _named(of: Q, names: Sequence[str], values: Any) -> Column:
     """A column whose rows are called by the masses: m_1, m_2; an index of the letter goes up."""
     sign = of.quantity.sign
@@ -88,10 +98,10 @@ def _corrections(found: Found) -> Iterator[Column]:
     yield _named(Weights.z, names, [one.at for one in rows])
     yield _named(Weights.D_x, names, np.real(products))
     yield _named(Weights.D_y, names, np.imag(products))
-    yield _named(Weights.D, names, np.abs(products))
-    yield _named(Weights.alpha, names, _degrees(np.array([one.direction for one in rows])))
-    yield _named(Weights.m, names, [one.mass for one in rows])
-    yield _named(Weights.r, names, [one.radius for one in rows])
+    yield _own(Weights.D, names, np.abs(products))
+    yield _own(Weights.alpha, names, _degrees(np.array([one.direction for one in rows])))
+    yield _own(Weights.m, names, [one.mass for one in rows])
+    yield _own(Weights.r, names, [one.radius for one in rows])
     yield _named(Weights.beta, names, _degrees(needed * [one.angle for one in rows]))
     yield _named(Weights.m_made, names, [one.made_mass for one in rows])
     yield _named(Weights.r_made, names, [one.made_radius for one in rows])
@@ -111,7 +121,7 @@ def _bearings(found: Found) -> Iterator[Column]:
         (Bearings.D_before, Bearings.R_before, found.before),
         (Bearings.D_made, Bearings.R_made, found.made),
     ):
-        yield _named(product, names, np.abs(felt))
+        yield _own(product, names, np.abs(felt))
         if given.speed:
             yield _named(force, names, given.speed**2 * np.abs(felt))
     yield _named(Bearings.psi, names, _degrees(np.where(found.before != 0, np.angle(found.before), NONE)))
@@ -130,7 +140,7 @@ def compared(found: Found) -> list[tuple[Quantity, float, float]]:
         polygons.insert(0, (found.corrections[1], found.couple))
     for one, drawn in polygons:
         arm = 1.0 if drawn is found.force else abs(one.at - found.corrections[0].at)
-        text = Message(N_("product of the weight in plane %(plane)s"), {"plane": one.name})
+        text = Message(PRODUCT, {"plane": one.name})
         quantity = Quantity(f"D_{one.name}", Symbol("D", one.name), "kg·m", text)
         rows.append((quantity, abs(drawn.closing) * drawn.scale / arm, abs(one.product)))
     return rows

@@ -17,7 +17,7 @@ class Motion(Sheet):
     v = Q("v", "m/s", N_("speed of the main link"))
     a = Q("a", "m/s²", N_("acceleration of the main link"))
     m_red = Q("m_red", "kg", N_("reduced mass"))
-    m_red_slope = Q("m'_red", "kg/m", N_("derivative of the reduced mass with respect to the way"))
+    m_red_slope = Q("m'_red", "kg/m", N_("derivative of the reduced mass with respect to the stroke"))
     F_dr = Q("F_dr", "N", N_("driving forces along the motion"))
     F_red = Q("F_red", "N", N_("reduced force of weights, loads and springs along the motion"))
     F_res = Q("F_res", "N", N_("resistances against the motion"))

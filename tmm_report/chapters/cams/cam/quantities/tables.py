@@ -71,13 +71,12 @@ LAWS = {
 NONE = N_("none")
 FORMS = {"line": N_("straight"), "sine": N_("quarter of a sine")}
 PITCH = NP_("index", "pc")  # of the pitch curve
+OF_PHASE, OF_PROFILE = NP_("index", "phase"), NP_("index", "prof")
 
 LEAST = Message(N_("what the permitted pressure angles ask of the size of the cam"))
 HOLDING = Message(N_("what holds the axis of the smallest cam at the best distance of the pivots"))
 AT = Quantity("theta", Symbol("theta"), "deg", Message(N_("angle of the cam from the beginning of its law")))
-ASKED_SLOPE_MEANING = Message(
-    N_("first derivative of the displacement with respect to the angle of the cam at the same place")
-)
+MOST_ASKED = N_("%(of)s where most is asked")
 ASKED_BEND = Quantity("S2", Symbol("s′′"), "m", Message(N_("its second derivative there")))
 
 PART = Quantity("part", None, "", Message(N_("number of the part of the phase that ends here")))
@@ -86,11 +85,11 @@ NUMBER = Quantity("number", None, "", Message(N_("its number")))
 START = Quantity(
     "start", Symbol("theta", "0"), "deg", Message(N_("angle of the cam at which the phase begins"))
 )
-ANGLE = Quantity("angle", Symbol("delta"), "deg", Message(N_("angle of the phase")))
+ANGLE = Quantity("angle", Symbol("phi", OF_PHASE), "deg", Message(N_("angle of the phase")))
 WITHIN = Quantity(
     "theta", Symbol("theta"), "rad", Message(N_("angle of the cam from the beginning of the phase"))
 )
-BETA = Quantity("delta", Symbol("delta"), "rad", Message(N_("angle of the phase")))
+BETA = Quantity("delta", Symbol("phi", OF_PHASE), "rad", Message(N_("angle of the phase")))
 SHARE = Quantity("tau", Symbol("tau"), "", Message(N_("share of the phase that is over")))
 RATIO = Quantity("ratio", Symbol("n"), "", Message(N_("acceleration of the law over its deceleration")))
 BEGINS = Quantity(
@@ -206,13 +205,18 @@ def _way(found: CamFound, asked: Demand) -> Kind:
 def asked_S(found: CamFound) -> Quantity:
     shown = "" if found.slides else "deg"
     return Quantity(
-        "S", Symbol(letter(found)), unit(found), Message(N_("displacement at which most is asked")), shown
+        "S",
+        Symbol(letter(found)),
+        unit(found),
+        Message(MOST_ASKED, {"of": displacement(found).meaning}),
+        shown,
     )
 
 
 def asked_slope(found: CamFound) -> Quantity:
     own = "m" if found.slides else ""
-    return Quantity("S1", Symbol(letter(found) + "′"), own, ASKED_SLOPE_MEANING)
+    meaning = Message(MOST_ASKED, {"of": first(found).meaning})
+    return Quantity("S1", Symbol(letter(found) + "′"), own, meaning)
 
 
 def _demands(found: CamFound) -> Iterator[Column]:
@@ -273,7 +277,7 @@ def _profile(found: CamFound, lifted: Lifted) -> Iterator[Column]:
     text = N_("polar angle of the profile of cam %(cam)s in its axes")
     yield of(found, "cam_gamma", Symbol("gamma"), "deg", text).column(np.degrees(lifted.direction))
     text = N_("angle of the profile from its first radius, against the turn of cam %(cam)s")
-    yield of(found, "cam_delta", Symbol("delta"), "deg", text).column(
+    yield of(found, "cam_delta", Symbol("delta", OF_PROFILE), "deg", text).column(
         _against(found, lifted.direction, found.table.direction)
     )
     yield from _rectangular(found, lifted.radius, lifted.direction, "", XY)

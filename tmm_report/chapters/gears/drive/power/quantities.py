@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 from tmm_report.chapters.gears.drive.power.plan import RPM
 from tmm_report.chapters.gears.drive.power.solve import Found as Shafts
 from tmm_report.chapters.gears.drive.power.steps import Steps
+from tmm_report.chapters.gears.drive.power.values import MOTOR
 from tmm_report.chapters.gears.drive.stages import run
+from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Column, Quantity, Table, text_column
 from tmm_report.quantity.sheet import columns
@@ -18,6 +20,7 @@ from tmm_report.quantity.symbols import Symbol
 if TYPE_CHECKING:
     from tmm_report.chapters.gears.drive.solve import Found
 
+MESH = NP_("index", "mesh")
 MOTORS = Message(N_("motors to choose from"))
 LOSSES = Message(N_("what loses power between the motor and the machine"))
 SOUGHT = Message(N_("teeth of the wheels by the divided ratio"))
@@ -60,9 +63,9 @@ def verdict(shafts: Shafts, row: int) -> str:
 def _motors(shafts: Shafts) -> Iterator[Column]:
     motors, judged = shafts.given.motors, shafts.plan.judged
     yield text_column("motor", Message(N_("type of the motor")), [motor.name for motor in motors])
-    power = Quantity("P", Symbol("P"), "W", Message(N_("rated power of the motor")), "kW")
+    power = Quantity("P", Symbol("P", MOTOR), "W", Message(N_("rated power of the motor")), "kW")
     yield power.column([motor.power for motor in motors])
-    turns = Quantity("n", Symbol("n"), "rpm", Message(N_("rated rotational speed of the motor")))
+    turns = Quantity("n", Symbol("n", MOTOR), "rpm", Message(N_("rated rotational speed of the motor")))
     yield turns.column([motor.speed * RPM for motor in motors])
     ratio = Quantity("u", Symbol("u"), "", Message(N_("ratio of the whole drive with the motor")))
     yield ratio.column([one.ratio for one in judged])
@@ -121,6 +124,6 @@ def _loaded(found: Found, shafts: Shafts) -> Iterator[Column]:
     names, along, across = zip(*rows, strict=True)
     yield text_column("mesh", Message(N_("wheels in mesh")), names)
     text = N_("circumferential force in the mesh, on one planet gear where there are several")
-    yield Quantity("F_t", Symbol("F", "t"), "N", Message(text)).column(along)
+    yield Quantity("F_t", Symbol("F", f"t,{MESH}"), "N", Message(text)).column(along)
     text = N_("radial force in the mesh, on one planet gear where there are several")
-    yield Quantity("F_r", Symbol("F", "r"), "N", Message(text)).column(across)
+    yield Quantity("F_r", Symbol("F", f"r,{MESH}"), "N", Message(text)).column(across)

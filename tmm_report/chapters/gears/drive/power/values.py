@@ -19,7 +19,7 @@ ACTUAL, ALLOWED = NP_("index", "act"), NP_("index", "avail")
 
 class Values(Sheet):
     force = Q("F", "N", N_("force that the machine needs"), "kN", formed="kN")
-    v_out = Q("v", "m/s", N_("velocity at which the machine works"))
+    v_out = Q(Symbol("v", OUT), "m/s", N_("velocity at which the machine works"))
     D_out = Q("D", "m", N_("diameter of the drum"), "mm", formed="mm")
     z_out = Q(Symbol("z", OUT), "", N_("number of teeth of the sprocket"), digits=9)
     t_out = Q("t", "m", N_("pitch of the chain"), "mm", formed="mm")
@@ -54,6 +54,12 @@ class Values(Sheet):
         "kN",
         formed="kN",
     )
+
+
+def roman(number: int) -> str:
+    """Of a shaft below 40, so that its letters are no wheel's; that of the motor is 0."""
+    ones = ("", "I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX")
+    return "X" * (number // 10) + ones[number % 10] or "0"
 
 
 class Shaft(Row):

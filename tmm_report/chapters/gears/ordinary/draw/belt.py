@@ -4,29 +4,31 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Callable
 
 from tmm_report.chapters.gears.ordinary.draw.common import OUT, PITCH, distance, turns, wheel
 from tmm_report.chapters.gears.ordinary.solve import Found
 from tmm_report.figures.drawing import DASHED, NORMAL, THICK, THIN, Arc, Drawing, Item, Pen, Tag, line
-from tmm_report.figures.lettering import Scale, symbol
+from tmm_report.figures.lettering import Scale, lettered, symbol
 from tmm_report.quantity.paper import fitting_scale
 from tmm_report.quantity.symbols import Symbol
 
+Words = Callable[[str], str]
 WIDE, TALL = 130.0, 60.0  # mm of both pulleys together
 CHAIN = Pen(THICK.width, dash=DASHED.dash)
 
 
-def belt(found: Found, title: str) -> Drawing:
-    """To scale; the driving pulley stands left and turns counter-clockwise."""
-    return _driven(found, title, THICK)
+def belt(found: Found, title: str, words: Words = str) -> Drawing:
+    """To scale; the driving pulley stands left and turns counter-clockwise. `words` translates those of indices."""
+    return _driven(found, title, THICK, words)
 
 
-def chain(found: Found, title: str) -> Drawing:
+def chain(found: Found, title: str, words: Words = str) -> Drawing:
     """By the pitch circles; the chain is dashed."""
-    return _driven(found, title, CHAIN)
+    return _driven(found, title, CHAIN, words)
 
 
-def _driven(found: Found, title: str, pen: Pen) -> Drawing:
+def _driven(found: Found, title: str, pen: Pen, words: Words) -> Drawing:
     n, toothed = found.s.number, pen is CHAIN
     greatest = max(n("d1"), n("d2"))
     scale = fitting_scale(n("a") + (n("d1") + n("d2")) / 2, greatest, (WIDE, TALL))
@@ -41,7 +43,7 @@ def _driven(found: Found, title: str, pen: Pen) -> Drawing:
         *turns(centre, two, sense),
     ]
     low = -max(one, two) - OUT - 2
-    dimension, letter = distance(-1j * one, centre - 1j * two, low)
+    dimension, letter = distance(-1j * one, centre - 1j * two, low, lettered(found.s.var("a").sign, words))
     names = found.given.wheels
     tags = [
         letter,

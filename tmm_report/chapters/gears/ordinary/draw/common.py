@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from tmm_report.figures.drawing import AXIS, NORMAL, THIN, Arrow, Circle, Item, Pen, Tag, dot, line
-from tmm_report.figures.lettering import symbol
+from tmm_report.figures.lettering import Symbol
 from tmm_report.figures.schemes.marks import turning
 
 PITCH = Pen(0.35, dash=(5.0, 1.0, 0.6, 1.0))  # of a pitch circle
@@ -26,7 +26,7 @@ def turns(centre: complex, radius: float, sense: int) -> list[Item]:
     return turning(centre, max(2.5, 0.55 * radius), math.radians(-100 * sense), math.radians(200 * sense))
 
 
-def distance(start: complex, end: complex, low: float, text: str = "a") -> tuple[list[Item], Tag]:
+def distance(start: complex, end: complex, low: float, letter: Symbol) -> tuple[list[Item], Tag]:
     """A dimension line below at the height `low`, between two points of the line of centres."""
     left, right = complex(start.real, low), complex(end.real, low)
     middle = (left + right) / 2
@@ -34,4 +34,4 @@ def distance(start: complex, end: complex, low: float, text: str = "a") -> tuple
         line(start, left - 1.5j, THIN), line(end, right - 1.5j, THIN),
         Arrow(middle, left, THIN), Arrow(middle, right, THIN),
     ]  # fmt: skip
-    return items, Tag((symbol(text),), (middle,), prefer=1j)
+    return items, Tag((letter,), (middle,), prefer=1j)

@@ -61,7 +61,9 @@ def _circles(
         ends = sorted((complex(one.distance * mm), complex(two.distance * mm)), key=lambda z: z.real)
         if ends[1].real - ends[0].real > 1:
             text = "a" if len(members) == 2 else f"a_{one.name}"
-            drawn, letter = distance(ends[0], ends[1], low - (6 if one.distance > two.distance else 0), text)
+            drawn, letter = distance(
+                ends[0], ends[1], low - (6 if one.distance > two.distance else 0), symbol(text)
+            )
             items += drawn
             tags.append(letter)
     return items, tags

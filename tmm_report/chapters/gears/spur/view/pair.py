@@ -176,7 +176,7 @@ class SpurView(ChapterView):
     def _called(self, key: str) -> Markup:
         """What a row is, with its unit."""
         column = self.sizes[key]
-        self.page.symbols.add(self._indexed(key, "i"), column.meaning, column.quantity.shown)
+        self.page.means(self._indexed(key, "i"), column.meaning, column.quantity.shown)
         unit = self.page.unit(column.quantity.printed)
         return self.page.listed([self.page.message(column.meaning), *([unit] if unit else [])])
 

@@ -40,6 +40,7 @@ FIXED = Message(N_("coordinates of the fixed points"))
 MASSES = Message(N_("masses of the links, their mass centres and moments of inertia"))
 LINK = Message(N_("link"))
 
+X_OF, Y_OF = N_("x of point %(name)s"), N_("y of point %(name)s")
 X = Quantity("x", Symbol("x"), "m", Message(N_("x of the point")))
 Y = Quantity("y", Symbol("y"), "m", Message(N_("y of the point")))
 MASS = Quantity("m", Symbol("m"), "kg", Message(N_("mass of the link")))
@@ -51,6 +52,10 @@ PER_LENGTH = Quantity("q", Symbol("q"), "kg/m", Message(N_("mass of a metre of t
 STATED_INERTIA = Quantity(
     "J_about", Symbol("J"), "kg·m²", Message(N_("moment of inertia of the link about that point"))
 )
+
+
+def point_coordinate(axis: str, text: str, point: str) -> Quantity:
+    return Quantity(f"{axis}_{point}", Symbol(axis, point), "m", Message(text, {"name": point}))
 
 
 def length(ends: str) -> Quantity:
@@ -91,8 +96,8 @@ def given_tables(mechanism: Mechanism) -> Iterator[Table]:
     places = np.array(list(fixed.values()), dtype=complex)
     point = text_column("point", Message(N_("point")), list(fixed))
     x, y = (
-        Column(of, list(numbers), [Symbol(of.key, name) for name in fixed])
-        for of, numbers in ((X, places.real), (Y, places.imag))
+        Column.of_each(of, list(numbers), [point_coordinate(of.key, text, name) for name in fixed])
+        for of, text, numbers in ((X, X_OF, places.real), (Y, Y_OF, places.imag))
     )
     yield Table("fixed_points", FIXED, (point, x, y))
     if heavy := heavy_links(mechanism):
@@ -181,11 +186,11 @@ def _stated(links: list[Link]) -> Iterator[Column]:
         abs(link.points[x] - link.points[str(link.mass_centre)]) if x else math.nan
         for x, link in zip(about, links, strict=True)
     ]
-    signs = [length(f"{x}{link.mass_centre}").sign for x, link in zip(about, links, strict=True)]
+    ends = [length(f"{x}{link.mass_centre}") for x, link in zip(about, links, strict=True)]
     yield text_column("about", Message(N_("point about which the moment of inertia is stated")), about)
-    yield Column(AWAY, away, signs)
+    yield Column.of_each(AWAY, away, ends)
     stated = [link.stated[1] if link.stated else math.nan for link in links]
-    yield Column(STATED_INERTIA, stated, [stated_inertia(link).sign for link in links])
+    yield Column.of_each(STATED_INERTIA, stated, [*map(stated_inertia, links)])
 
 
 def _statements(link: Link) -> list[tuple[str, Statement]]:
@@ -280,7 +285,7 @@ def _per_length(links: list[Link]) -> Iterator[Column]:
         for link in links
     ]
     if not all(map(math.isnan, found)):
-        yield Column(PER_LENGTH, found, [Symbol("q", link.name) for link in links])
+        yield Column.of_each(PER_LENGTH, found, [per_length(link.name) for link in links])
 
 
 def _masses(links: list[Link]) -> Table:
@@ -289,14 +294,14 @@ def _masses(links: list[Link]) -> Table:
         MASSES,
         (
             text_column("link", LINK, [link.name for link in links]),
-            Column(MASS, [float(link.mass) for link in links], [Symbol("m", link.name) for link in links]),
+            Column.of_each(MASS, [float(link.mass) for link in links], [mass(link.name) for link in links]),
             text_column(
                 "mass_centre", Message(N_("mass centre")), [link.mass_centre or "" for link in links]
             ),
-            Column(
+            Column.of_each(
                 INERTIA,
                 [float(link.inertia) or math.nan for link in links],
-                [Symbol("J", link.name) for link in links],
+                [inertia(link.name) for link in links],
             ),
             *_stated(links),
             *_per_length(links),
@@ -328,7 +333,7 @@ def given_values(mechanism: Mechanism, length_scale: float) -> Iterator[Value]:
 def speed(mechanism: Mechanism) -> Value:
     """Angular velocity of the driving link, + counter-clockwise."""
     driver = mechanism.driver
-    meaning = Message(N_("angular velocity of the driving link"))
+    meaning = Message(N_("angular velocity of link %(name)s"), {"name": driver.link})
     return Quantity("omega", Symbol("omega", driver.link), "rad/s", meaning).value(float(driver.omega))
 
 

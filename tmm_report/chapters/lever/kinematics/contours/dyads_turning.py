@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from tmm_report.chapters.lever.initial_data.quantities import length
 from tmm_report.chapters.lever.kinematics.contours.equations import (
     AT_JOINT,
-    DISTANCE,
     FROM_GUIDE,
     GUIDE_TURNED,
     OFFSET,
@@ -52,9 +52,7 @@ def rrr(bench: Bench, d: Dyad) -> Written:
     one, other = A.name + inner, C.name + inner
     l1 = bench.length(A.name, inner, abs(d.arm_a))
     l2 = bench.length(C.name, inner, abs(d.arm_b))
-    distance = quantity(
-        f"l_{A.name}{C.name}", Symbol("l", A.name + C.name), "m", DISTANCE, one=A.name, other=C.name
-    )
+    distance = length(A.name + C.name)
     dx, dy = total([(1, C.x), (-1, A.x)]), total([(1, C.y), (-1, A.y)])
     l0 = bench.own(distance, sqrt(dx**2 + dy**2))
     phi0 = bench.own(bearing(A.name + C.name), Bearing(dy, dx))
@@ -99,11 +97,14 @@ def rrp(bench: Bench, d: Dyad) -> Written:
     A, inner, guide = bench.spot(d.outer_a.name), d.inner.name, d.outer_b.name
     line = outer_line(bench, guide, d.carrier_b, d.outer_b, d.b, d.arm_b)
     G, beta, rod = line.at, line.beta, A.name + inner
-    length = bench.length(A.name, inner, abs(d.arm_a))
+    l = bench.length(A.name, inner, abs(d.arm_a))
     dx, dy = total([(1, A.x), (-1, G.x)]), total([(1, A.y), (-1, G.y)])
-    of = quantity(f"h_{rod}", Symbol("h", A.name), "m", FROM_GUIDE, of=A.name, guide=guide)
+    letter = Symbol("h", A.name)  # a second rod from the joint, to another guide, has a letter of its own
+    if any(one.symbol == letter for one, _ in bench.columns.values()):
+        letter = Symbol("h", rod)
+    of = quantity(f"h_{rod}", letter, "m", FROM_GUIDE, of=A.name, guide=guide)
     h = bench.own(of, dy * cos(beta) - dx * sin(beta))
-    root = sqrt(length**2 - h**2)
+    root = sqrt(l**2 - h**2)
     foot = dx * cos(beta) + dy * sin(beta)
     s = bench.own(slid(d.b, guide, G.name), Branched(foot, root, d.root(bench.motion.phi)))
     B = inner_point(bench, inner, (line.place(s, 0), line.place(s, 1)))
@@ -112,8 +113,8 @@ def rrp(bench: Bench, d: Dyad) -> Written:
     u, w = turning(bench, d.a), sliding(d.b, guide)
     v = A.v or (None, None)
     eq = Equations(
-        (A.x + length * cos(phi), A.y + length * sin(phi)), (line.place(s, 0), line.place(s, 1)),
-        (-(length * sin(phi)), length * cos(phi)), (-cos(beta), -sin(beta)),
+        (A.x + l * cos(phi), A.y + l * sin(phi)), (line.place(s, 0), line.place(s, 1)),
+        (-(l * sin(phi)), l * cos(phi)), (-cos(beta), -sin(beta)),
         (total([*line.carried(s, 0), (-1, v[0])]), total([*line.carried(s, 1), (-1, v[1])])),
     )  # fmt: skip
     system = System(bench, d, u, w, eq)
@@ -122,8 +123,8 @@ def rrp(bench: Bench, d: Dyad) -> Written:
     inner_rates(bench, "v", inner, [[*line.carried(s, n), (1, rate * way[n])] for n in (0, 1)])
     velocities, a = bench.taken(), A.a or (None, None)
     known = (
-        total([*line.bent(s, rate, 0), (-1, a[0]), (1, length * w1**2 * cos(phi))]),
-        total([*line.bent(s, rate, 1), (-1, a[1]), (1, length * w1**2 * sin(phi))]),
+        total([*line.bent(s, rate, 0), (-1, a[0]), (1, l * w1**2 * cos(phi))]),
+        total([*line.bent(s, rate, 1), (-1, a[1]), (1, l * w1**2 * sin(phi))]),
     )
     e1, bend = system.accelerations(known)
     inner_rates(bench, "a", inner, [[*line.bent(s, rate, n), (1, bend * way[n])] for n in (0, 1)])
@@ -148,7 +149,7 @@ def rpr(bench: Bench, d: Dyad) -> Written:
     of = quantity(f"h_{guide}", Symbol("h", guide), "m", OFFSET, of=C.name, guide=guide, other=A.name)
     h = bench.constant(of, offset) if abs(offset) > 1e-12 * size else None
     dx, dy = total([(1, C.x), (-1, A.x)]), total([(1, C.y), (-1, A.y)])
-    distance = quantity(f"l_{ends}", Symbol("l", ends), "m", DISTANCE, one=A.name, other=C.name)
+    distance = length(ends)
     l0 = bench.own(distance, sqrt(dx**2 + dy**2))
     phi0 = bench.own(bearing(ends), Bearing(dy, dx))
     sign = d.root(bench.motion.phi)

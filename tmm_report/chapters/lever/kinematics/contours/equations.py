@@ -29,7 +29,6 @@ from tmm_report.records import dataclass
 Array = Any
 Two = tuple[Expr, Expr]
 
-DISTANCE = N_("distance between joints %(one)s and %(other)s")
 BEARING = N_("angle of segment %(of)s with the x axis")
 AT_JOINT = N_("angle at joint %(of)s of the triangle of the group")
 FROM_GUIDE = N_("distance of joint %(of)s from the line of guide %(guide)s")

@@ -36,7 +36,7 @@ CONVENTIONS = (
     ),
     (
         Symbol("a", "i", "x"),
-        N_("projection of its acceleration on the x axis, likewise on the y axis"),
+        N_("projection of the acceleration of point i on the x axis, likewise on the y axis"),
         "m/s²",
     ),
     (
@@ -47,7 +47,7 @@ CONVENTIONS = (
         "deg",
     ),
     (Symbol("k", "ij"), N_("coefficients of the differentiated equations of a group"), ""),
-    (Symbol("Delta"), N_("their determinant"), ""),
+    (Symbol("Delta"), N_("determinant of the equations of a group"), ""),
     (Symbol("b", "i"), N_("known parts of the equations of velocities"), "m/s"),
     (Symbol("d", "i"), N_("known parts of the equations of accelerations"), "m/s²"),
 )

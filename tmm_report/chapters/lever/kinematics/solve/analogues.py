@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.chapters.lever.kinematics.solve.points_and_links import where
+from tmm_report.chapters.lever.kinematics.solve.points_and_links import angle, where
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Output, Travel
 from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.mechanics.lever.motion import solve as solve_motion
@@ -64,9 +64,7 @@ def tables(found: Kinematics) -> Iterator[Table]:
         yield Table(f"analogues_{name}", ANALOGUES, (*at, time(found, turned), *columns))
 
 
-LAW_ANGLE = Quantity(
-    "phi_law", Symbol("phi"), "deg", Message(N_("angle of the driving link by its law, from the x axis"))
-)
+LAW_ANGLE = "phi_law"
 
 
 def by_law(found: Kinematics, turned: Array) -> tuple[Column, ...]:
@@ -74,7 +72,7 @@ def by_law(found: Kinematics, turned: Array) -> tuple[Column, ...]:
     if not found.by_law:
         return ()
     link = found.linkage.mechanism.driver.link
-    own = replace(LAW_ANGLE, symbol=Symbol("phi", link))
+    own = replace(angle(link), key=LAW_ANGLE)
     return (replace(own.column(np.degrees(found.cycle.phi(turned))), asked=False),)
 
 

@@ -47,7 +47,7 @@ class DrivingView(BookView):
         motion = driving_law.motion(driver.law, time, var)
         if motion is None:
             return
-        yield self.table("outputs_table").formula(LAW_ANGLE.key, k, motion.angle, "rad")
+        yield self.table("outputs_table").formula(LAW_ANGLE, k, motion.angle, "rad")
         for key, body in zip(self.rates, motion[1:], strict=True):
             yield self.table("rates_table").formula(key, k, body)
 
@@ -55,7 +55,7 @@ class DrivingView(BookView):
         """Time, angle, angular velocity and acceleration at the table positions."""
         columns = [
             self.column("outputs_table", TIME.key),
-            self.column("outputs_table", LAW_ANGLE.key),
+            self.column("outputs_table", LAW_ANGLE),
             *(self.column("rates_table", key) for key in self.rates),
         ]
         return numeric(caption, self.page.positions(self.table("outputs_table")), columns)

@@ -135,7 +135,7 @@ class MotionView(BookView):
             for travel in (*self.found.travels, *self.found.links)
         ]
         groups = [[self.column(name, key) for key in own if key in self.table(name)] for own in keys]
-        lead = [self.column(name, key) for key in ("t", LAW_ANGLE.key) if key in self.table(name)]
+        lead = [self.column(name, key) for key in ("t", LAW_ANGLE) if key in self.table(name)]
         return packed(caption, self.column(name, "phi"), lead, groups)
 
     def _packed(

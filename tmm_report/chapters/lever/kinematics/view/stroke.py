@@ -56,7 +56,7 @@ class StrokeView(DrivingView):
         columns = [
             self.column("outputs_table", TIME.key),
             *self.columns("stroke_table", (q.PLACE.key, q.SPEED.key, q.ACCELERATION.key)),
-            self.column("outputs_table", LAW_ANGLE.key),
+            self.column("outputs_table", LAW_ANGLE),
             *(self.column("rates_table", key) for key in self.rates),
         ]
         return numeric(caption, self.page.positions(self.table("outputs_table")), columns)
@@ -95,7 +95,7 @@ class TriangleView(StrokeView):
         yield table.formula("stroke_phi", k, alpha + beta if self.side > 0 else alpha - beta, "deg")
         if self.axes:
             phi = self._var("stroke_phi") - self.value("stroke_lag").var("deg")
-            yield self.table("outputs_table").formula(LAW_ANGLE.key, k, phi, "deg")
+            yield self.table("outputs_table").formula(LAW_ANGLE, k, phi, "deg")
 
     def rates_of(self) -> Iterator[Formula]:
         """Angular velocity and acceleration of the link at the position, by projections on the rod or cylinder."""
@@ -132,7 +132,7 @@ class ReversedView(StrokeView):
 
     def root(self) -> Markup:
         """φ of the link at the position."""
-        var = self.table("outputs_table").var(LAW_ANGLE.key, self.position)
+        var = self.table("outputs_table").var(LAW_ANGLE, self.position)
         return self.page.value(var)
 
     def reached(self) -> Formula:

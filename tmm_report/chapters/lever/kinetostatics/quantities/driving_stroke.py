@@ -25,12 +25,17 @@ Array = Any
 
 TABLE = Message(N_("the balancing force along the stroke of the driving slider or cylinder, by three ways"))
 FORCE = Quantity("F_stroke", Symbol("F", "bal"), "N", Message(N_("balancing force along the stroke")))
-BY_LEVER = replace(
-    FORCE, key="F_lever", meaning=Message(N_("balancing force along the stroke, by the lever"))
-)
-BY_POWER = replace(
-    FORCE, key="F_power", meaning=Message(N_("balancing force along the stroke, by the power balance"))
-)
+
+
+def by_lever(of: Quantity, key: str) -> Quantity:
+    return replace(of, key=key, meaning=Message(N_("%(of)s by Zhukovsky's lever"), {"of": of.meaning}))
+
+
+def by_power(of: Quantity, key: str) -> Quantity:
+    return replace(of, key=key, meaning=Message(N_("%(of)s by the power balance"), {"of": of.meaning}))
+
+
+BY_LEVER, BY_POWER = by_lever(FORCE, "F_lever"), by_power(FORCE, "F_power")
 
 
 def tables(found: Kinetostatics) -> Iterator[Table]:

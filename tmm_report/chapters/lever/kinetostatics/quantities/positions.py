@@ -54,10 +54,9 @@ BALANCING = Message(N_("balancing moment by groups, by Zhukovsky's lever and by 
 POWERS = Message(N_("powers of the loads"))
 
 M_BAL = Symbol("M", "bal")
-BY_GROUPS = Quantity("M_bal", M_BAL, "N·m", Message(N_("balancing moment, by groups")))
-BY_LEVER = Quantity("M_lever", M_BAL, "N·m", Message(N_("balancing moment by Zhukovsky's lever")))
-BY_POWER = Quantity("M_power", M_BAL, "N·m", Message(N_("balancing moment by the power balance")))
-BALANCING_MOMENT = replace(BY_GROUPS, meaning=Message(N_("balancing moment on the driving link")))
+BALANCING_MOMENT = Quantity("M_bal", M_BAL, "N·m", Message(N_("balancing moment on the driving link")))
+BY_LEVER = stroke_quantities.by_lever(BALANCING_MOMENT, "M_lever")
+BY_POWER = stroke_quantities.by_power(BALANCING_MOMENT, "M_power")
 ALONG_STROKE = stroke_quantities.FORCE
 LEVER_MISS = Quantity("lever_disagreement", None, "", Message(N_("relative disagreement of the lever")))
 POWER_MISS = Quantity(
@@ -326,7 +325,7 @@ def _in_guide(found: Reaction, shape: tuple[int, ...]) -> Iterator[Column]:
 
 
 def _balancing(solved: Solved) -> Iterator[Column]:
-    yield BY_GROUPS.column(solved.balancing)
+    yield BALANCING_MOMENT.column(solved.balancing)
     yield BY_LEVER.column(solved.lever)
     yield BY_POWER.column(solved.power)
     yield LEVER_MISS.column(solved.disagreement(solved.lever))

@@ -236,11 +236,11 @@ class KinetostaticsView(BookView):
         if not self.beside:
             return self._of_pairs(caption, keys)
         keys += [] if self.central else self._guide_keys()
-        return self._of_pairs(caption, keys, [self.column("balancing_table", q.BY_GROUPS.key)])
+        return self._of_pairs(caption, keys, [self.column("balancing_table", q.BALANCING_MOMENT.key)])
 
     def instants(self, caption: Any) -> Table:
         """Balancing moment and reactions at the instants that are asked for."""
-        balancing = [self.column("balancing_at", key) for key in ("phi", "t", q.BY_GROUPS.key)]
+        balancing = [self.column("balancing_at", key) for key in ("phi", "t", q.BALANCING_MOMENT.key)]
         of_pairs = [self.column("reactions_at", q.reaction(*pair).key) for pair in self._pairs()]
         return packed(caption, balancing[0], balancing[1:], [[one] for one in of_pairs])
 

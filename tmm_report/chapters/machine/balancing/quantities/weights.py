@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from tmm_report.chapters.lever.initial_data.quantities import inertia, mass
 from tmm_report.chapters.machine.balancing.solve.cases import Case, Placed
 from tmm_report.chapters.machine.balancing.solve.substituted_masses import Carried
 from tmm_report.chapters.machine.balancing.solve.whole import Found
@@ -23,6 +24,16 @@ LINK = Message(N_("link"))
 
 # ---------------------------------------------------------------- counterweights
 
+ALONG = N_("static moment of the counterweight of link %(link)s along the link")
+ACROSS = N_("static moment of the counterweight of link %(link)s across the link")
+STATIC = N_("static moment of the counterweight of link %(link)s")
+TURNED = N_("angle of the counterweight of link %(link)s from the line of the link")
+DISTANCE = N_("distance of the counterweight of link %(link)s from the pivot of the link")
+CARRIED = N_("mass that link %(link)s carries at point %(point)s")
+ARM_ALONG = N_("arm of the mass at point %(point)s along link %(link)s")
+ARM_ACROSS = N_("arm of the mass at point %(point)s across link %(link)s")
+MASS = N_("mass of the counterweight of link %(link)s")
+
 
 def placed(cases: Sequence[Case]) -> list[tuple[Case, Placed]]:
     """Every counterweight in the order of the table."""
@@ -32,7 +43,7 @@ def placed(cases: Sequence[Case]) -> list[tuple[Case, Placed]]:
 def met(cases: Sequence[Case]) -> list[tuple[Case, Placed, Carried]]:
     """Every mass that a counterweight meets, in the order of the table."""
     rows = placed(cases)
-    return [(case, one, mass) for case, one in rows if one.carried for mass in one.carried.carried]
+    return [(case, one, each) for case, one in rows if one.carried for each in one.carried.carried]
 
 
 def counterweights(cases: Sequence[Case]) -> Iterator[Table]:
@@ -47,10 +58,11 @@ def _weights(rows: Sequence[tuple[Case, Placed]]) -> Table:
     links = [one.link for _, one in rows]
     moments = np.array([one.moment for _, one in rows])
 
-    def named(of: Q, values: Sequence[float]) -> Column:
+    def named(of: Q, values: Sequence[float], text: str) -> Column:
         sign = of.quantity.sign
         symbols = [Symbol(sign.base, f"{sign.sub}{link}", sign.sup) for link in links]
-        return Column(of.quantity, np.array(values), symbols)
+        meanings = [Message(text, {"link": link}) for link in links]
+        return Column(of.quantity, np.array(values), symbols, meanings=meanings)
 
     return Table(
         "counterweights",
@@ -58,22 +70,25 @@ def _weights(rows: Sequence[tuple[Case, Placed]]) -> Table:
         (
             text_column("method", METHOD, [case.name for case, _ in rows]),
             text_column("link", LINK, links),
-            named(Weights.U_x, list(moments.real)),
-            named(Weights.U_y, list(moments.imag)),
-            named(Weights.U, list(np.abs(moments))),
-            named(Weights.beta, list(np.degrees(np.angle(moments)) % 360)),
-            named(Weights.rho, [one.distance for _, one in rows]),
-            named(Weights.m_c, [one.mass for _, one in rows]),
+            named(Weights.U_x, list(moments.real), ALONG),
+            named(Weights.U_y, list(moments.imag), ACROSS),
+            named(Weights.U, list(np.abs(moments)), STATIC),
+            named(Weights.beta, list(np.degrees(np.angle(moments)) % 360), TURNED),
+            named(Weights.rho, [one.distance for _, one in rows], DISTANCE),
+            named(Weights.m_c, [one.mass for _, one in rows], MASS),
         ),
     )
 
 
 def _masses(rows: Sequence[tuple[Case, Placed, Carried]]) -> Table:
-    names = [mass.name for *_, mass in rows]
+    names = [each.name for *_, each in rows]
+    indices = [f"{one.link},{each.name}" for _, one, each in rows]
 
-    def named(of: Q, values: Sequence[float]) -> Column:
-        quantity = of.quantity
-        return Column(quantity, np.array(values), [Symbol(quantity.sign.base, name) for name in names])
+    def named(of: Q, values: Sequence[float], text: str) -> Column:
+        prime = "′" if of is Masses.m else ""  # not a mass put into a joint of a floating link
+        symbols = [Symbol(of.quantity.sign.base + prime, index) for index in indices]
+        meanings = [Message(text, {"link": one.link, "point": each.name}) for _, one, each in rows]
+        return Column(of.quantity, np.array(values), symbols, meanings=meanings)
 
     return Table(
         "counterweight_masses",
@@ -82,9 +97,9 @@ def _masses(rows: Sequence[tuple[Case, Placed, Carried]]) -> Table:
             text_column("method", METHOD, [case.name for case, *_ in rows]),
             text_column("link", LINK, [one.link for _, one, _ in rows]),
             text_column("point", Message(N_("point")), names),
-            named(Masses.m, [mass.mass for *_, mass in rows]),
-            named(Masses.x, [mass.arm.real for *_, mass in rows]),
-            named(Masses.y, [_settled(mass.arm) for *_, mass in rows]),
+            named(Masses.m, [each.mass for *_, each in rows], CARRIED),
+            named(Masses.x, [each.arm.real for *_, each in rows], ARM_ALONG),
+            named(Masses.y, [_settled(each.arm) for *_, each in rows], ARM_ACROSS),
         ),
     )
 
@@ -117,8 +132,10 @@ def splits(found: Found) -> Table:
             text_column("link", LINK, links),
             text_column("first", JOINTS[0], first),
             text_column("second", JOINTS[1], second),
-            named(Splits.m, [one.mass for one in rows], links),
-            named(Splits.J, [one.inertia for one in rows], links),
+            Column.of_each(Splits.m.quantity, np.array([one.mass for one in rows]), [*map(mass, links)]),
+            Column.of_each(
+                Splits.J.quantity, np.array([one.inertia for one in rows]), [*map(inertia, links)]
+            ),
             named(Splits.a, [one.arms[0] for one in rows], links),
             named(Splits.b, [one.arms[1] for one in rows], links),
             named(Splits.off, [one.off for one in rows], links),

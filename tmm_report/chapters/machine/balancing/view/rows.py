@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from functools import cached_property
 
 from tmm_report.chapters.lever.initial_data import quantities as initial
@@ -17,21 +16,13 @@ from tmm_report.chapters.machine.balancing.solve.whole import Found
 from tmm_report.chapters.machine.balancing.view.handed import sum_at
 from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.mechanics.lever.vector_equations import moving_points, turning_links
-from tmm_report.problems import N_, Message
 from tmm_report.quantity import model
-from tmm_report.quantity.formula import Expr, Formula, Number, Var, sqrt
+from tmm_report.quantity.formula import Expr, Formula, Number, sqrt
 from tmm_report.quantity.model import Book, variable
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 
-OF_LINK = {
-    "U_x": N_("static moment of the counterweight of link %(link)s along the link"),
-    "U_y": N_("static moment of the counterweight of link %(link)s across the link"),
-    "U": N_("static moment of the counterweight of link %(link)s"),
-    "rho": N_("distance of the counterweight of link %(link)s from the pivot of the link"),
-    "m_c": N_("mass of the counterweight of link %(link)s"),
-}
 NOTHING = 1e-9  # of the largest: a term that is rounding
 
 
@@ -177,21 +168,22 @@ class BalancingRows(ChapterView):
         if case.name == STATED:
             return
         yield from self._moment_of(case, one, row)
-        yield self._of_link("U", row, self._size(case, one, row))
+        yield table.formula("U", row, self._size(case, one, row))
         if self.found.given.counterweights[one.link].distance is not None:
-            yield self._of_link("m_c", row, table.var("U", row) / self._named("rho", row))
+            yield table.formula("m_c", row, table.var("U", row) / table.var("rho", row))
         else:
-            yield self._of_link("rho", row, table.var("U", row) / self._named("m_c", row))
+            yield table.formula("rho", row, table.var("U", row) / table.var("m_c", row))
 
     def _moment_of(self, case: Case, one: Placed, row: int) -> Iterator[Formula]:
         """Both projections of the static moment, where it has them."""
+        table = self.table("counterweights")
         axes = [axis for axis, part in (("x", one.moment.real), ("y", one.moment.imag)) if part]
         if one.carried is not None:
             rows = self._masses_of(case, one.link)
             for mass in rows:
                 yield from self._sum_of(case, mass)
             for axis in axes:
-                yield self._of_link(f"U_{axis}", row, self._met(axis, rows))
+                yield table.formula(f"U_{axis}", row, self._met(axis, rows))
 
     def _size(self, case: Case, one: Placed, row: int) -> Expr:
         """Of the static moment, from its projections; of a single counterweight, from those of the point that it is to
@@ -203,17 +195,6 @@ class BalancingRows(ChapterView):
         else:
             parts = [self.table("counterweights").var(f"U_{axis}", row) for axis in axes]
         return abs(parts[0]) if len(parts) == 1 else sqrt(parts[0] ** 2 + parts[1] ** 2)
-
-    def _of_link(self, key: str, row: int, expression: Expr) -> Formula:
-        """What defines a number of a counterweight, which says on which link it is."""
-        formula = self.table("counterweights").formula(key, row, expression)
-        return replace(formula, meaning=self._meaning(key, row))
-
-    def _named(self, key: str, row: int) -> Var:
-        return replace(self.table("counterweights").var(key, row), meaning=self._meaning(key, row))
-
-    def _meaning(self, key: str, row: int) -> Message:
-        return Message(OF_LINK[key], {"link": self.table("counterweights")["link"].values[row]})
 
     def _masses_of(self, case: Case, link: str) -> list[int]:
         table = self.table("counterweight_masses")
@@ -227,7 +208,7 @@ class BalancingRows(ChapterView):
         if case.name == SUBSTITUTED:
             joined = sum_at(self.found, self, self.given, one.link, met.name, met.mass)
             if joined is not None:
-                yield replace(table.formula("m", row, joined), meaning=self._carried(row))
+                yield table.formula("m", row, joined)
             return
         links = met.links
         heavy = [link.name for link in initial.heavy_links(self.mechanism)]
@@ -238,23 +219,16 @@ class BalancingRows(ChapterView):
         ]
         places = zip(others["method"].values, others["link"].values, strict=True)
         added = [k for k, (way, link) in enumerate(places) if way == case.name and link in links]
-        terms: list[Expr] = [*masses, *(self._named("m_c", k) for k in added)]
+        terms: list[Expr] = [*masses, *(others.var("m_c", k) for k in added)]
         if len(terms) > 1:
             total = sum(terms[1:], terms[0])
-            yield replace(table.formula("m", row, total), meaning=self._carried(row))
+            yield table.formula("m", row, total)
 
     def _met(self, axis: str, rows: list[int]) -> Expr:
         """−Σ m x, without the masses that have no arm on the axis."""
         table = self.table("counterweight_masses")
         used = [row for row in rows if table[axis].number(row)]
-        return _less(
-            [replace(table.var("m", row), meaning=self._carried(row)) * table.var(axis, row) for row in used]
-        )
-
-    def _carried(self, row: int) -> Message:
-        table = self.table("counterweight_masses")
-        values = {"point": table["point"].values[row], "link": table["link"].values[row]}
-        return Message(N_("mass that link %(link)s carries at point %(point)s"), values)
+        return _less([table.var("m", row) * table.var(axis, row) for row in used])
 
 
 def _less(terms: Sequence[Expr]) -> Expr:

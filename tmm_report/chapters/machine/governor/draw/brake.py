@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Callable
 
 from tmm_report.chapters.machine.governor.given import ShoeArm
 from tmm_report.chapters.machine.governor.solve.brake import BrakeFound
+from tmm_report.chapters.machine.governor.values import Brake, Braking
 from tmm_report.figures.dimensions import span
 from tmm_report.figures.drawing import (
     AXIS,
@@ -21,8 +23,9 @@ from tmm_report.figures.drawing import (
     polygon,
     polyline,
 )
-from tmm_report.figures.lettering import Symbol
+from tmm_report.figures.lettering import Parts, Symbol, lettered
 from tmm_report.figures.schemes.marks import turning
+from tmm_report.quantity.sheet import Q
 
 OUTER, INNER, SHAFT = 34.0, 30.0, 4.0  # radii of the drum and the shaft, mm
 FACE, BACK, CENTRE = (
@@ -33,8 +36,8 @@ FACE, BACK, CENTRE = (
 LOW = -42.0  # where the radius of the mass centre is stated
 
 
-def brake(found: BrakeFound, title: str = "") -> Drawing:
-    """All the shoes at rest; the first one is lettered."""
+def brake(found: BrakeFound, title: str = "", words: Callable[[str], str] = str) -> Drawing:
+    """All the shoes at rest; the first one is lettered; `words` translates those of indices."""
     count = found.given.count
     step = 2 * math.pi / count
     items: list[Item] = [Circle(0j, OUTER), Circle(0j, INNER), Circle(0j, SHAFT, NORMAL, "white")]
@@ -44,14 +47,19 @@ def brake(found: BrakeFound, title: str = "") -> Drawing:
         items += _arm(cmath.rect(1.0, k * step), found.given.arm, found.given.drum) if found.given.arm else []
     radius = cmath.rect(INNER, step / 2)
     items += [Arrow(0j, radius, THIN), *_dimension(), *turning(0j, 9.0, 1.5 * step - 0.35, 0.7)]
+
+    def named(of: Q) -> Parts:
+        letter = lettered(of.symbol, words)
+        return (letter,) if letter else ()
+
     tags = [
-        Tag((Symbol("m"),), (complex(CENTRE, 2.6),), 0.0),
-        Tag((Symbol("R"),), (0.62 * radius,), 1.0),
-        Tag((Symbol("s"),), (37 + 7j,), 0.0),
-        Tag((Symbol("c"),), (12.5 - 3j,), 1.0, -1j),
+        Tag(named(Brake.m), (complex(CENTRE, 2.6),), 0.0),
+        Tag(named(Brake.R), (0.62 * radius,), 1.0),
+        Tag(named(Brake.gap), (37 + 7j,), 0.0),
+        Tag(named(Brake.c), (12.5 - 3j,), 1.0, -1j),
         Tag((Symbol("ρ", "0"),), (complex(CENTRE / 2, LOW),), 1.0, 1j),
         *([Tag((Symbol("A"),), (_pivot(arm, found.given.drum),), 2.0)] if (arm := found.given.arm) else []),
-        Tag((Symbol("ω"),), (cmath.rect(12.0, 1.5 * step),), 0.4),
+        Tag(named(Braking.omega), (cmath.rect(12.0, 1.5 * step),), 0.4),
     ]
     return Drawing(tuple(items), title).labelled(tags)
 

@@ -114,7 +114,9 @@ class BrakeView(ChapterView):
 
     @cached_property
     def drawing(self) -> Drawing:
-        return brake.brake(self.found, str(self.t(N_("Scheme of the centrifugal brake"))))
+        return brake.brake(
+            self.found, str(self.t(N_("Scheme of the centrifugal brake"))), self.page.index_word
+        )
 
     @cached_property
     def graph(self) -> Graph:
