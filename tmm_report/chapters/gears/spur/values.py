@@ -286,10 +286,11 @@ class Points(Sheet):
 def letters(found: Found) -> dict[str, Q]:
     """What this pair calls otherwise: by the names of its wheels, as an internal or a helical one."""
     one, two = found.given.wheels
-    ratio, kind = Symbol("u", both(one, two)), "d" if found.given.internal else "Sigma"
+    pair, kind = both(one, two), "d" if found.given.internal else "Sigma"
     smaller, larger = (found.given.wheels[i] for i in (found.teeth.small, 1 - found.teeth.small))
     called = {
-        "ratio": ratio, "u_required": ratio, "x_sum": Symbol("x", kind), "x_needed": Symbol("x", kind),
+        "ratio": Symbol("u", pair), "u_required": Symbol("u", pair, "′"),
+        "x_sum": Symbol("x", kind), "x_needed": Symbol("x", kind),
         "z_bound": Symbol("z", kind), "z_share": Symbol("z", smaller), "z_larger": Symbol("z", larger),
         "inv_alpha": Symbol("inv α", "t" if found.pair.beta > 0 else ""),
     }  # fmt: skip
