@@ -437,7 +437,7 @@ def _inside(node: Element) -> str:
 
 def read(html: str) -> Note:
     """A note of HTML; its drawings are kept as text."""
-    match = _MAIN.search(html)
+    match = _MAIN.search(html.replace("\N{WORD JOINER}", ""))
     if match is None:
         raise ValueError("a note has a <main>")
     drawings: dict[str, str] = {}

@@ -39,7 +39,9 @@ def _of_page(made: Made) -> Iterator[Problem]:
         return
     known = known_letters()
     foreign = {sign for text in page.root.itertext() for sign in text} - known
-    foreign = {sign for sign in foreign if not sign.isspace()}
+    foreign = {
+        sign for sign in foreign if not sign.isspace() and unicodedata.category(sign) != "Cf"
+    }  # unseen
     if not foreign:
         return
     told, anchor = set[str](), ""
