@@ -96,6 +96,13 @@ def test_a_long_formula_breaks_at_a_sign_that_is_repeated():
     assert "·" not in {one for one, _ in ends}
 
 
+def test_no_line_begins_with_the_stop_behind_a_formula():
+    """Between a formula of the running text and the sign behind it no line may end."""
+    text = note("compressor", "html", "en")["note.html"].decode()
+    behind = re.findall("</math>(?:</span>)?(\N{WORD JOINER}?)[.,;:)](?![^<]*</(?:div|th)>)", text)
+    assert len(behind) > 50 and set(behind) == {"\N{WORD JOINER}"}
+
+
 def test_tables_and_figures_fit_a_printed_page(seen):
     """Nothing that must stay whole in the text is larger than the text area of A4."""
     page = seen.measures

@@ -83,4 +83,7 @@ FAULTS = (
           "(away <= APART).all(axis=1)", "away[:, 0] <= APART", tests=THINNED),
     Fault("curves over a time along the whole width", "tmm_report/report/diagrams.py",
           "wide=partial(round_axis, float(x[-1] - x[0])),", "wide=None,", tests=("tests/report/test_good_text.py",)),
+    Fault("lines that begin with a stop", "tmm_report/report/paper/punctuation.py",
+          '"\\\\1\\N{WORD JOINER}"', '"\\\\1"',
+          tests=("tests/report/test_note_html.py",)),
 )  # fmt: skip

@@ -15,7 +15,7 @@ _HTML = (
     (r'\.(</p>\s*<p class="where">)', r",\1"),
     (r'(</table>\s*</div>\s*</div>\s*<p class="where"><span class="item">)WHERE ', r"\1HERE "),
     (r'(:</p>\s*<p class="where"><span class="item">)WHERE ', r"\1"),
-    (r"(</math>(?:</span>)?)(?=[.,;:](?!</div>))", "\\1\N{WORD JOINER}"),  # no line begins with a stop
+    (r"(</math>(?:</span>)?)(?=[.,;:)](?![^<]*</(?:div|th)>))", "\\1\N{WORD JOINER}"),  # no line begins with a stop
 )  # fmt: skip
 _TEX = (
     (
