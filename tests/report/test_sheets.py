@@ -61,7 +61,7 @@ def test_only_what_no_sheet_holds_is_reduced(size):
 def test_the_style_of_a_note_has_the_sheets_of_its_profile(name):
     """Margins of the style and room of the pictures are found apart: they leave the same of the paper."""
     page = Page(Html(), Translator("en"), Numbering(), profile=shipped(name))
-    style = template("profile.css.j2").render(page=page)
+    style = template("profile.css.j2").render(page=page, frames=None)
     margins, paper = shipped(name).margins, Paper(shipped(name).margins, shipped(name).text)
     above, right, below, left = map(
         float, re.search(r"@page \{\s*margin: (\S+)mm (\S+)mm (\S+)mm (\S+)mm", style).groups()
