@@ -155,7 +155,7 @@ def note(*sizes: tuple[float, float]) -> dict[str, bytes]:
     }
     m = template("macros.tex.j2").make_module(given)
     body = [m.p("Text.") + m.figure(across(*size), f"of {size[0]} mm") for size in sizes]
-    text = template("report.tex.j2").render(given | {"m": m, "head": "", "body": body})
+    text = template("report.tex.j2").render(given | {"m": m, "head": "", "body": body, "frames": None})
     return {"note.tex": text.encode(), **page.form.files}
 
 
@@ -194,7 +194,7 @@ def test_figures_of_latex_stand_side_by_side(tmp_path):
     given = {"page": Page(Tex(), Translator("en"), Numbering()), "title": TITLE, "head": "", "body": [body]}
     given |= {name: getattr(given["page"], name) for name in ("t", "math", "sym", "unit", "listed")}
     m = template("macros.tex.j2").make_module(given)
-    text = template("report.tex.j2").render(given | {"m": m})
+    text = template("report.tex.j2").render(given | {"m": m, "frames": None})
     pages = printed({"note.tex": text.encode(), **form.files}, tmp_path)
     assert [[word for word in words if word.startswith("No")] for *_, words in pages if "No0" in words] == [
         ["No0", "No1", "No2"]
