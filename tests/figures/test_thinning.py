@@ -15,7 +15,7 @@ CURVES = {
     "a jump": 10 * TURN + 25j * (TURN > 3),
     "there and back": 30 * np.sin(TURN) + 0j,
     "a level": 28 * TURN + 5j,
-    "a point": np.full(40, 3 + 4j),
+    "a point": np.full(60, 3 + 4j),
 }
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from tmm_report.figures.primitives import Item, Path
 
 APART = 0.006  # mm: a line is drawn 0.2 mm wide
-SHORT = 16  # points: a stroke of no more stays as it is
+SHORT = 40  # points: a stroke of no more, as a diagram at its positions has them, stays as it is
 PIECE = 16  # steps of a stroke, a power of two, that one straight line may stand for
 
 

@@ -41,6 +41,7 @@ RING, MARK = 0.85, 0.6  # radii of a ring at an extreme and of a marker, mm
 SAMPLE, SPACE = 10.0, 4.0  # length of a sample of a line, space before the next, mm
 
 
+TWELFTHS = 12  # of its way along x, at which a curve has markers
 DISC = 12  # corners of a marker that is drawn round
 
 
@@ -76,7 +77,7 @@ def _panel(graph: Graph, panel: Panel, number: int) -> Iterator[Item]:
     own = graph.of(number)
     yield from _ruled(graph, panel)
     for curve, look in own:
-        yield from _curve(panel.places(graph.x, curve.values), look)
+        yield from _curve(panel.places(graph.x, curve.values), look, graph.positions)
     crowd = Crowd(panel, [panel.places(graph.x, curve.values) for curve, _ in own])
     extremes = list(_extremes(graph, crowd, own))
     if graph.join:
@@ -114,15 +115,22 @@ def _x_ticks(graph: Graph) -> list[float]:
     return multiples(float(graph.x[0]), float(graph.x[-1]), graph.step)
 
 
-def _curve(places: np.ndarray, look: Look) -> Iterator[Item]:
-    """A line that breaks where a value is nan, with a marker at every twelfth of its way along x."""
-    twelfths = np.linspace(places[0].real, places[-1].real, 13)
-    spots = places[np.unique(np.abs(places.real - twelfths[:, None]).argmin(axis=1))]
-    marked = spots[np.isfinite(spots.imag)].tolist()
+def _curve(places: np.ndarray, look: Look, positions: int) -> Iterator[Item]:
+    """A line that breaks where a value is nan, with a marker at every twelfth of its way along x. It goes through its
+    `positions`, or, where these are not known, through all its points."""
+    marked = _at(places, TWELFTHS)
     strokes = _unbroken(places)
     if strokes:
-        yield Path(tuple(tuple(stroke.tolist()) for stroke in strokes), look.pen, held=frozenset(marked))
+        held = frozenset(marked + _at(places, positions) if positions else places.tolist())
+        yield Path(tuple(tuple(stroke.tolist()) for stroke in strokes), look.pen, held=held)
     yield from _markers(marked, look)
+
+
+def _at(places: np.ndarray, parts: int) -> list[complex]:
+    """The points nearest to so many equal parts of the way along x, and to its end."""
+    evenly = np.linspace(places[0].real, places[-1].real, parts + 1)
+    spots = places[np.unique(np.abs(places.real - evenly[:, None]).argmin(axis=1))]
+    return spots[np.isfinite(spots.imag)].tolist()
 
 
 def _unbroken(places: np.ndarray) -> list[np.ndarray]:
