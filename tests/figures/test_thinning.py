@@ -7,7 +7,7 @@ from tmm_report.figures.drawing import Drawing, Path, svg
 from tmm_report.figures.primitives import dot, polyline
 from tmm_report.figures.thinning import APART, SHORT, thinned
 
-TURN = np.linspace(0, 2 * np.pi, 721)
+TURN = np.linspace(0, 2 * np.pi, 1441)
 CURVES = {
     "a circle": 40 * np.exp(1j * TURN),
     "a wave": 28 * TURN + 20j * np.sin(3 * TURN),
@@ -44,8 +44,17 @@ def test_points_held_stay_and_others_are_left_as_they_are():
     short = tuple(points[:SHORT])
     disc = dot(1j)
     one, two, three = thinned([Path((tuple(points), short), held=frozenset(held)), disc, polyline(short)])
-    assert set(held) <= set(one.strokes[0]) and len(one.strokes[0]) < 60
+    assert set(held) <= set(one.strokes[0]) and len(one.strokes[0]) < 110
     assert one.strokes[1] == short and two is disc and three.strokes == (short,)
+
+
+def test_the_values_of_a_graph_are_true_where_it_is_steep():
+    x = np.linspace(0, 100, 801)
+    points = x + 40j * np.tanh(3 * (x - 41.7))
+    (path,) = thinned([Path((tuple(points.tolist()),), held=frozenset([complex(points[400])]))])
+    line = np.array(path.strokes[0])
+    assert len(line) < 0.5 * len(points)
+    assert np.abs(np.interp(x, line.real, line.imag) - points.imag).max() <= APART
 
 
 def test_strokes_of_one_drawing_do_not_touch_one_another():

@@ -79,6 +79,8 @@ FAULTS = (
           "[0], ends[:-1], ends - 1]", "[0], ends[-1:] - 1]", tests=THINNED),
     Fault("the distance from a line taken for that from its segment", "tmm_report/figures/thinning.py",
           "np.clip((off * chord.conj()).real / square, 0, 1)", "(off * chord.conj()).real / square", tests=THINNED),
+    Fault("values of a steep graph off by what lies beside them", "tmm_report/figures/thinning.py",
+          "level = graph[first][:, None] & (chord.real > 0)", "level = (chord.real > 0) & False", tests=THINNED),
     Fault("only the middle of a piece looked at", "tmm_report/figures/thinning.py",
           "(away <= APART).all(axis=1)", "away[:, 0] <= APART", tests=THINNED),
     Fault("curves over a time along the whole width", "tmm_report/report/diagrams.py",
