@@ -50,7 +50,7 @@ def test_points_held_stay_and_others_are_left_as_they_are():
 
 def test_the_values_of_a_graph_are_true_where_it_is_steep():
     x = np.linspace(0, 100, 801)
-    points = x + 40j * np.tanh(3 * (x - 41.7))
+    points = x + 40j * np.tanh((x - 41.7) / 8)
     (path,) = thinned([Path((tuple(points.tolist()),), held=frozenset([complex(points[400])]))])
     line = np.array(path.strokes[0])
     assert len(line) < 0.5 * len(points)

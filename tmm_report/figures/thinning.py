@@ -38,8 +38,8 @@ def _long(path: Path) -> list[tuple[complex, ...]]:
 
 def _kept(strokes: Sequence[tuple[complex, ...]], held: Sequence[frozenset[complex]]) -> list[list[bool]]:
     """Which points of each stroke stay: its ends, those held, and of the others as the curve bends. Pieces of 2, 4, …
-    steps are tried, for all strokes at once: one whose inner points lie near its chord is drawn by it. Of a graph, which
-    has points held, these lie near it above or below themselves: there its values are read."""
+    steps are tried, for all strokes at once: one whose inner points lie near its chord is drawn by it. Of a graph,
+    which has points held, these lie near it above or below themselves: there its values are read."""
     places = np.array([place for stroke in strokes for place in stroke], complex)
     ends = np.cumsum([len(stroke) for stroke in strokes])
     asked = [place in those for stroke, those in zip(strokes, held, strict=True) for place in stroke]
