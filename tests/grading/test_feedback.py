@@ -192,12 +192,12 @@ def test_the_legend_explains_the_marks_that_occur_and_no_others(marked):
     for rule in (Rule.LIMIT, Rule.FLOOR, Rule.ZERO, Rule.CARRIED, Rule.OFF, Rule.SIGN, Rule.NO_ANSWER):
         assert f">{MARKS[rule].sign}</dt>" in legend[0]
     assert MARKS[Rule.EXACT].sign not in legend[0]
-    assert "7.5 %" in legend[0] and "0.5 mm" in legend[0]
+    assert "7.5\N{NO-BREAK SPACE}%" in legend[0] and "0.5\N{NO-BREAK SPACE}mm" in legend[0]
 
 
 def test_a_table_with_a_limit_of_its_own_says_so(marked):
     html = feedback(marked, EN, limit={"rates_table": 2.0, "outputs_table": 3.0}.__getitem__).decode()
-    assert "within the limit of 3, 2 %" in html
+    assert "within the limit of 3, 2\N{NO-BREAK SPACE}%" in html
 
 
 def test_a_work_without_a_mistake_speaks_of_none():

@@ -164,7 +164,7 @@ def test_a_part_on_the_motor_turns_as_the_motor_does():
 
 LETTERS = {
     "flywheel for a wanted inertia": "delta",
-    "torque for an acceleration": "M_dr",
+    "torque for an acceleration": "M_mot",
     "best ratio of a hoist": "i_dr",
     "outer radius of a pivot": "R",
     "load of a pivot": "Q",
