@@ -436,7 +436,7 @@ def english(name: str) -> str:
 def test_the_note_says_how_the_cycle_goes():
     text = re.sub(r"<[^>]*>", "", english("engine_four_stroke"))
     for words in (
-        "The cycle takes 2 turns of the driving link, 720° in 0.054545 s",
+        "The cycle takes 2 turns of the driving link, 720° in 0.054545\N{NO-BREAK SPACE}s",
         "drawn at 12 equally spaced positions",
         "position 12 has the places, velocities and accelerations of position 0",
         "extreme values are given for the first turn",
