@@ -20,6 +20,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
+from unittest.mock import patch
 
 import numpy as np
 from matplotlib import get_data_path
@@ -129,13 +130,8 @@ def printed_bare(html: bytes) -> bytes:
         config.write_text(
             f"<fontconfig><dir>{fonts}</dir><cachedir>{place}/cache</cachedir></fontconfig>", "utf-8"
         )
-        before = os.environ.get("FONTCONFIG_FILE")
-        os.environ["FONTCONFIG_FILE"] = str(config)
-        try:
+        with patch.dict(os.environ, {"FONTCONFIG_FILE": str(config)}):
             return printed(html)
-        finally:
-            os.environ.pop("FONTCONFIG_FILE")
-            os.environ.update({"FONTCONFIG_FILE": before} if before else {})
 
 
 def show(called: str, html: bytes, pdf: bytes, each: bool) -> None:

@@ -52,6 +52,10 @@ class Translator(NamedTuple):
     def pgettext(self, context: str, text: str) -> str:
         return _catalogue(self.language).pgettext(context, text)
 
+    def in_index(self, word: str) -> str:
+        """A word of an index."""
+        return self.pgettext("index", word)
+
     def ngettext(self, one: str, many: str, count: int) -> str:
         return _catalogue(self.language).ngettext(one, many, count)
 

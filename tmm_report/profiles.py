@@ -24,8 +24,9 @@ Dash = Literal["long", "short"]
 Base = Literal["gost", "plain", "dstu", "kz"]
 DEFAULT: Base = "gost"
 A4 = (210.0, 297.0)  # mm
+BINDING, EDGE = 20.0, 5.0  # mm: from the frame to the edges of the sheet, at the left and at the others
 # mm: the frame, what GOST 2.105 (3.6) leaves between it and the text, and below the title block of form 2a
-WITHIN_FRAME = {"left": 20.0 + 3.0, "right": 5.0 + 3.0, "top": 5.0 + 10.0, "bottom": 5.0 + 15.0 + 10.0}
+WITHIN_FRAME = {"left": BINDING + 3, "right": EDGE + 3, "top": EDGE + 10, "bottom": EDGE + 15 + 10}
 NAMES: tuple[Base, ...] = get_args(Base)
 
 

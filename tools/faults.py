@@ -182,7 +182,7 @@ FAULTS = (
     Fault("rates of links with the wrong sign", KIN + "solve/points_and_links.py",
           "yield quantities[key].column(numbers)", "yield quantities[key].column(-numbers)"),
     Fault("x of points equal to y", KIN + "solve/points_and_links.py",
-          'N_("x of point %(name)s"), place.real', 'N_("x of point %(name)s"), place.imag'),
+          'X_OF, place.real', 'X_OF, place.imag'),
     Fault("angles of links in radians under degrees", KIN + "solve/points_and_links.py",
           "np.degrees(np.angle(motion.turn(link)))", "np.angle(motion.turn(link))"),
     Fault("angles of extremes in radians", "tmm_report/report/page.py",

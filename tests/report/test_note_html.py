@@ -10,6 +10,7 @@ import pytest
 from browser import Seen
 from exhaustive import many
 from notes import NAMES, note, program
+from pdf_words import POINT, pages
 
 from tmm_report.languages import LANGUAGES
 from tmm_report.report.paper import measure
@@ -117,16 +118,10 @@ def test_prints_to_a4(language, tmp_path):
     pdf.write_bytes(browser.seen(f"compressor-{language}").pdf)
     info = subprocess.run([program("pdfinfo"), str(pdf)], capture_output=True, text=True, check=True).stdout
     assert re.search(r"Page size:\s+59[45]\.\d+ x 84[12]\.\d+ pts \(A4\)|Page size:\s+595 x 842", info), info
-    words = subprocess.run(
-        [program("pdftotext"), "-bbox", str(pdf), "-"], capture_output=True, text=True, check=True
-    ).stdout
-    pages = [
-        [float(x) for x in re.findall(r'(?: width|xMax)="([\d.]+)"', page)]
-        for page in words.split("<page")[1:]
-    ]
-    assert len(pages) > 50 and sum(map(len, pages)) > 1000
+    found = pages(pdf.read_bytes())
+    assert len(found) > 50 and sum(len(page.words) for page in found) > 1000
     # nothing is cut at the right edge of its sheet
-    assert all(max(edges, default=0) <= wide - 10 for wide, *edges in pages)
+    assert all(word.right <= page.wide - 10 * POINT for page in found for word in page.words)
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -15,6 +15,7 @@ from browser import browser, laid_out, opened
 from conftest import read, solved
 from notes import VARIANTS, program
 from once import once
+from pdf_words import Page, pages
 from typesetting import set_by_tex
 
 from tmm_report import render
@@ -26,7 +27,6 @@ from tmm_report.report.paper.punctuation import joined
 from tmm_report.report.paper.sheets import USUAL, Paper
 
 NAME = "crank_rocker"
-MM = 25.4 / 72  # of a point of the PDF
 ODD = stated("gost", {"margins": {"left": "37 mm", "right": "21 mm"}, "text": {"size": 13}})  # of no standard
 PROFILES = {**{name: shipped(name) for name in NAMES}, "odd": ODD}
 each = pytest.mark.parametrize("name", PROFILES)
@@ -185,23 +185,8 @@ def printed(name: str, fmt: str) -> bytes:
 
 
 @cache
-def words(name: str, fmt: str) -> list[tuple[float, float, list[tuple[float, float, float, float, str]]]]:
-    """Of each page its width and height, and its words: left, right, above, below, mm, and what it is."""
-    text = subprocess.run(
-        [program("pdftotext"), "-bbox", "-", "-"], input=printed(name, fmt), capture_output=True, check=True
-    )
-    found = []
-    for wide, tall, body in re.findall(
-        r'<page width="([\d.]+)" height="([\d.]+)">(.*?)</page>', text.stdout.decode(), re.S
-    ):
-        boxes = re.findall(
-            r'<word xMin="([-\d.]+)" yMin="([-\d.]+)" xMax="([-\d.]+)" yMax="([-\d.]+)">(.*?)</word>', body
-        )
-        own = [
-            (float(a) * MM, float(c) * MM, float(b) * MM, float(d) * MM, word) for a, b, c, d, word in boxes
-        ]
-        found.append((float(wide) * MM, float(tall) * MM, own))
-    return found
+def words(name: str, fmt: str) -> list[Page]:
+    return pages(printed(name, fmt))
 
 
 FORMATS = [(name, "html") for name in PROFILES] + [
@@ -212,11 +197,13 @@ FORMATS = [(name, "html") for name in PROFILES] + [
 @pytest.mark.parametrize(("name", "fmt"), FORMATS)
 def test_the_text_stands_between_the_margins(name, fmt):
     margins = PROFILES[name].margins
-    pages = [own for wide, _, own in words(name, fmt)[1:] if round(wide) == 210]
-    text = [one for own in pages for one in own if margins.top <= one[2] and one[3] < 297 - margins.bottom]
+    found = [own for wide, _, own in words(name, fmt)[1:] if round(wide) == 210]
+    text = [
+        one for own in found for one in own if margins.top <= one.above and one.below < 297 - margins.bottom
+    ]
     assert len(text) > 400
-    assert min(one[0] for one in text) == pytest.approx(margins.left, abs=0.5)
-    assert max(one[1] for one in text) == pytest.approx(210 - margins.right, abs=0.7)
+    assert min(one.left for one in text) == pytest.approx(margins.left, abs=0.5)
+    assert max(one.right for one in text) == pytest.approx(210 - margins.right, abs=0.7)
 
 
 @pytest.mark.parametrize(("name", "fmt"), FORMATS)
@@ -226,7 +213,11 @@ def test_pages_are_numbered_where_the_profile_has_it_and_the_title_is_not(name, 
         outside = [
             one
             for one in own
-            if (one[3] < profile.margins.top if profile.above else one[2] > tall - profile.margins.bottom)
+            if (
+                one.below < profile.margins.top
+                if profile.above
+                else one.above > tall - profile.margins.bottom
+            )
         ]
         if round(wide) != 210:
             continue
@@ -235,11 +226,11 @@ def test_pages_are_numbered_where_the_profile_has_it_and_the_title_is_not(name, 
             continue
         (number,) = outside
         middle = (profile.margins.left + wide - profile.margins.right) / 2
-        assert number[4] == str(k)
+        assert number.text == str(k)
         if profile.aside:
-            assert number[1] == pytest.approx(wide - profile.margins.right, abs=0.6)
+            assert number.right == pytest.approx(wide - profile.margins.right, abs=0.6)
         else:
-            assert (number[0] + number[1]) / 2 == pytest.approx(middle, abs=1)
+            assert (number.left + number.right) / 2 == pytest.approx(middle, abs=1)
 
 
 @pytest.mark.parametrize(("name", "fmt"), FORMATS)
@@ -247,14 +238,14 @@ def test_a_heading_of_a_structural_part_stands_as_the_profile_has_it(name, fmt):
     profile, head = PROFILES[name], PROFILES[name].headings.structural
     title = profile.word("introduction", "ru")
     title = title.upper() if head.capitals else title
-    found = [(k, one) for k, (*_, own) in enumerate(words(name, fmt)) for one in own if one[4] == title]
+    found = [(k, one) for k, (*_, own) in enumerate(words(name, fmt)) for one in own if one.text == title]
     k, box = found[-1]
     left, right = profile.margins.left, 210 - profile.margins.right
     if head.align == "centre":
-        assert (box[0] + box[1]) / 2 == pytest.approx((left + right) / 2, abs=1)
+        assert (box.left + box.right) / 2 == pytest.approx((left + right) / 2, abs=1)
     else:
-        assert box[0] == pytest.approx(left, abs=1)
-    above = [one for one in words(name, fmt)[k][2] if profile.margins.top < one[3] < box[2] - 1]
+        assert box.left == pytest.approx(left, abs=1)
+    above = [one for one in words(name, fmt)[k][2] if profile.margins.top < one.below < box.above - 1]
     assert not (head.new_page and above)
 
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import re
-import subprocess
 from types import SimpleNamespace
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from markupsafe import Markup
-from notes import program
+from pdf_words import pages
 
 from tmm_report.commands.pdf import compiled
 from tmm_report.figures.drawing import Drawing, line
@@ -159,23 +158,10 @@ def note(*sizes: tuple[float, float]) -> dict[str, bytes]:
     return {"note.tex": text.encode(), **page.form.files}
 
 
-def printed(files: dict[str, bytes], folder) -> list[tuple[float, float, list[str]]]:
+def printed(files: dict[str, bytes]) -> list[tuple[float, float, list[str]]]:
     """Width and height of each page, mm, and its words."""
-    (folder / "note.pdf").write_bytes(compiled(files)["note.pdf"])
-    said = subprocess.run(
-        [program("pdftotext"), "-bbox", str(folder / "note.pdf"), "-"],
-        capture_output=True,
-        text=True,
-        check=True,
-    ).stdout
-    pages = re.split(r"<page ", said)[1:]
-    found = []
-    for page in pages:
-        wide, tall = (
-            float(size) * 25.4 / 72 for size in re.findall(r'(?:width|height)="([\d.]+)"', page)[:2]
-        )
-        found.append((round(wide), round(tall), re.findall(r">([^<\s]+)</word>", page)))
-    return found
+    found = pages(compiled(files)["note.pdf"])
+    return [(round(page.wide), round(page.tall), [word.text for word in page.words]) for page in found]
 
 
 @pytest.mark.exhaustive
@@ -195,18 +181,18 @@ def test_figures_of_latex_stand_side_by_side(tmp_path):
     given |= {name: getattr(given["page"], name) for name in ("t", "math", "sym", "unit", "listed")}
     m = template("macros.tex.j2").make_module(given)
     text = template("report.tex.j2").render(given | {"m": m, "frames": None})
-    pages = printed({"note.tex": text.encode(), **form.files}, tmp_path)
-    assert [[word for word in words if word.startswith("No")] for *_, words in pages if "No0" in words] == [
+    found = printed({"note.tex": text.encode(), **form.files})
+    assert [[word for word in words if word.startswith("No")] for *_, words in found if "No0" in words] == [
         ["No0", "No1", "No2"]
     ]
 
 
 @pytest.mark.exhaustive
 def test_a_sheet_of_latex_follows_the_page_that_comes_to_it_and_pages_are_numbered_through(tmp_path):
-    pages = printed(note((100, 20), (250, 20), (200, 50), (400, 100), (100, 20), (300, 300)), tmp_path)
-    assert [page[:2] for page in pages] == [
+    found = printed(note((100, 20), (250, 20), (200, 50), (400, 100), (100, 20), (300, 300)))
+    assert [page[:2] for page in found] == [
         (210, 297), (210, 297), (297, 210), (630, 297), (210, 297), (594, 420)
     ]  # fmt: skip
-    assert [page[2][-1] for page in pages] == [str(k) for k in range(1, 7)]
-    figures = [re.findall(r"Figure (\d)", " ".join(words)) for *_, words in pages]
+    assert [page[2][-1] for page in found] == [str(k) for k in range(1, 7)]
+    figures = [re.findall(r"Figure (\d)", " ".join(words)) for *_, words in found]
     assert figures == [[], ["1"], ["2", "3"], ["4"], ["5"], ["6"]]

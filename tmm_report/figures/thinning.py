@@ -45,10 +45,8 @@ def _kept(strokes: Sequence[tuple[complex, ...]], held: Sequence[frozenset[compl
     asked = [place in those for stroke, those in zip(strokes, held, strict=True) for place in stroke]
     fixed = np.unique(np.concatenate([np.flatnonzero(asked), [0], ends[:-1], ends - 1]))
     here, after = np.arange(len(places)), np.searchsorted(fixed, np.arange(len(places)), "right")
-    done, left = (
-        here - fixed[after - 1],
-        np.append(fixed, len(places))[after] - here,
-    )  # steps beside a fixed one
+    # steps from a fixed place and to the next one
+    done, left = here - fixed[after - 1], np.append(fixed, len(places))[after] - here
     graph = np.repeat([bool(those) for those in held], [len(stroke) for stroke in strokes])
     stays, steps = np.ones(len(places), bool), 2
     while steps <= PIECE:

@@ -182,7 +182,7 @@ class Notation:
         return "".join(self.run(run) for run in index_runs(text, base))
 
     def word(self, run: str) -> str:
-        return self.tr.pgettext("index", run)
+        return self.tr.in_index(run)
 
 
 @dataclass(frozen=True, eq=False)

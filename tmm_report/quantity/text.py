@@ -26,6 +26,12 @@ _TENS = tuple(float(10**k) for k in range(23))  # the powers that a double holds
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
+def roman(number: int) -> str:
+    """Of a whole number from 0, which has none and gives "", to 39."""
+    ones = ("", "I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX")
+    return "X" * (number // 10) + ones[number % 10]
+
+
 class Parts(NamedTuple):
     """A number ready to be typeset: sign, digits with a point, and the power of ten or None."""
 

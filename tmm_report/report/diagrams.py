@@ -99,7 +99,7 @@ def letter(symbol: Symbol | str, tr: Translator) -> Parts:
     its own letter."""
     symbol = Symbol(symbol) if isinstance(symbol, str) else symbol
     base = symbol.base.removeprefix("Delta").removeprefix("Δ")
-    drawn = lettered(replace(symbol, base=base or symbol.base), lambda word: tr.pgettext("index", word))
+    drawn = lettered(replace(symbol, base=base or symbol.base), tr.in_index)
     assert drawn is not None
     return ("Δ", drawn) if base not in ("", symbol.base) else (drawn,)
 

@@ -189,10 +189,6 @@ class Page:
         name = "table" if first else "last" if last else "continued"
         return self.called(name, n=place.number, title=title)
 
-    def index_word(self, word: str) -> str:
-        """A word of an index, where a drawing has it."""
-        return self.tr.pgettext("index", word)
-
     def on_one_line(self, text: str) -> Markup:
         """Text that stands where no markup is read."""
         return Markup(xml_escape(self.name(text)))
@@ -440,8 +436,12 @@ class Page:
 
     def measured(self, of: Value, **form: Any) -> Markup:
         """A single number in running text with its unit."""
-        unit = self.unit(form.get("unit") or of.quantity.printed)
-        return self.listed([self.shown(of, **form), unit], "" if unit in ("", "°") else "\N{NO-BREAK SPACE}")
+        return self.in_unit(self.shown(of, **form), form.get("unit") or of.quantity.printed)
+
+    def in_unit(self, number: Any, unit: str) -> Markup:
+        """A number with its unit on the same line."""
+        text = self.unit(unit)
+        return self.listed([number, text], "" if text in ("", "°") else "\N{NO-BREAK SPACE}")
 
     def turned(self, of: Value, places: int = 1) -> Cell:
         """The angle turned from position 0 at which a single number holds, in degrees; a dash where there is none."""

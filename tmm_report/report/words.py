@@ -8,11 +8,11 @@ import numpy as np
 from markupsafe import Markup
 
 from tmm_report.i18n import NP_, Translator
-from tmm_report.mechanics.lever.assur_groups import ROMAN, Group, Structure
+from tmm_report.mechanics.lever.assur_groups import Group, Structure
 from tmm_report.mechanics.lever.wheels.coupled import Coupled
 from tmm_report.problems import N_
 from tmm_report.quantity.terms.directions import COMPASS
-from tmm_report.quantity.text import unit_text
+from tmm_report.quantity.text import roman, unit_text
 from tmm_report.report.page import LOWERED, Page
 
 if TYPE_CHECKING:  # loaded only where methods are compared
@@ -52,13 +52,9 @@ def so_many_pairs(count: int, tr: Translator) -> str:
     return tr.pgettext("so many pairs", SO_MANY_PAIRS[count - 1]) if 1 <= count <= 10 else str(count)
 
 
-def roman(number: int) -> str:
-    return ROMAN[number]
-
-
 def group_name(group: Group) -> str:
     """The label with the order as an index: II₂(2,3)."""
-    return f"{ROMAN[group.group_class]}{str(group.order).translate(LOWERED)}({','.join(group.links)})"
+    return f"{roman(group.group_class)}{str(group.order).translate(LOWERED)}({','.join(group.links)})"
 
 
 def group_label(label: str) -> str:

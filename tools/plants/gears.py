@@ -185,8 +185,8 @@ FAULTS += (
     Fault(
         "stages: millimetres said of formulas in metres",
         "tmm_report/chapters/gears/ordinary/view.py",
-        'if item["unit"] == "mm" else item',
-        'if item["unit"] == "" else item',
+        "of, of.quantity.unit) for name",
+        "of, of.quantity.printed) for name",
         "winch_drive",
         SHORTER,
     ),

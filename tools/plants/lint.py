@@ -38,7 +38,7 @@ FAULTS = (
           "tmm_report/chapters/lever/force_plans/lever_quantities.py", 'symbol = Symbol("h′", ',
           'symbol = Symbol("h", ', tests=MEANINGS),
     Fault("shafts of a drive under the numbers of its wheels", "tmm_report/chapters/gears/drive/power/steps.py",
-          "k, roman(k))", "k, str(k))", tests=MEANINGS),
+          'k, roman(k) or "0")', "k, str(k))", tests=MEANINGS),
     Fault("the journal under the letter of a distance", "tmm_report/chapters/lever/friction/quantities.py",
           'Symbol("d", JOURNAL)', 'Symbol("d")', tests=MEANINGS),
     Fault("each method another quantity in the list of symbols", "tmm_report/report/symbol_list.py",

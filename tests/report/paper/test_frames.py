@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import subprocess
 from dataclasses import replace
 from functools import cache
@@ -10,10 +9,12 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
+import pdf_words
 import pytest
 from browser import browser, opened
 from conftest import solved
 from notes import program
+from pdf_words import POINT, Page, Word
 from typesetting import set_by_tex
 
 from tmm_report import render
@@ -28,7 +29,6 @@ FRAMED = stated(
 )
 FORMATS = ["html", pytest.param("tex", marks=pytest.mark.exhaustive)]
 DOTS = 10  # a millimetre
-MM = 25.4 / 72  # of a point of the PDF
 CODE = "ТММ.05.12.000 ПЗ"
 # GOST 2.104-2006, forms 2 and 2a, mm from the lower left corner of the block: x, y, to x, to y
 BLOCKS = {
@@ -61,29 +61,13 @@ def printed(fmt: str) -> bytes:
         return opened(talk, Path(place), "framed", note("html")["note.html"], print_it=True).pdf
 
 
-Word = tuple[
-    float, float, float, float, str
-]  # left, right, below, above from the lower left corner, mm; what it is
-
-
 @cache
-def pages(fmt: str) -> list[tuple[float, float, list[Word]]]:
-    """Width, height and words of each page."""
-    text = subprocess.run(
-        [program("pdftotext"), "-bbox", "-", "-"], input=printed(fmt), capture_output=True, check=True
-    )
-    found = []
-    for size, body in re.findall(r"<page (.*?)>(.*?)</page>", text.stdout.decode(), re.S):
-        wide, tall = (float(one) * MM for one in re.findall(r'"([\d.]+)"', size))
-        boxes = re.findall(
-            r'xMin="([-\d.]+)" yMin="([-\d.]+)" xMax="([-\d.]+)" yMax="([-\d.]+)">(.*?)</word>', body
-        )
-        own = [
-            (float(a) * MM, float(c) * MM, tall - float(d) * MM, tall - float(b) * MM, word)
-            for a, b, c, d, word in boxes
-        ]
-        found.append((wide, tall, own))
-    return found
+def pages(fmt: str) -> list[Page]:
+    """Places from the lower left corner."""
+    return [
+        Page(wide, tall, [one._replace(above=tall - one.above, below=tall - one.below) for one in words])
+        for wide, tall, words in pdf_words.pages(printed(fmt))
+    ]
 
 
 @cache
@@ -129,7 +113,9 @@ def frame(
 
 def within(words: list[Word], left: float, below: float, right: float, above: float) -> list[str]:
     return [
-        one[4] for one in words if left <= one[0] and one[1] <= right and below <= one[2] and one[3] <= above
+        one.text
+        for one in words
+        if left <= one.left and one.right <= right and below <= one.below and one.above <= above
     ]
 
 
@@ -156,7 +142,7 @@ def test_the_numbers_stand_in_the_blocks(fmt):
         assert within(own, 195, 4.5, 205, 13) == [str(k)]
         assert " ".join(within(own, 85, 5, 195, 20)) == CODE
     assert len(within(found[2][2], 37, 30, 189, 282)) > 5  # the contents go on under the smaller block
-    assert not [one for one in found[0][2] if one[2] < 15 or one[3] > 285]
+    assert not [one for one in found[0][2] if one.below < 15 or one.above > 285]
 
 
 @pytest.mark.parametrize("fmt", FORMATS)
@@ -165,11 +151,12 @@ def test_the_text_keeps_its_distance_from_frame_and_block(fmt):
     for k, (wide, tall, own) in enumerate(pages(fmt)):
         if round(wide) == 210 and k:
             top = 45 if k == 1 else 20
-            text = [one for one in own if one[3] > 5 + top]
-            assert min(one[0] for one in text) >= 23 and max(one[1] for one in text) <= 202
-            below = 0.3 * FRAMED.text.size * MM  # what hangs below the last line
+            text = [one for one in own if one.above > 5 + top]
+            assert min(one.left for one in text) >= 23 and max(one.right for one in text) <= 202
+            below = 0.3 * FRAMED.text.size * POINT  # what hangs below the last line
             assert (
-                min(one[2] for one in text) >= top + 10 - below and max(one[3] for one in text) <= tall - 14.5
+                min(one.below for one in text) >= top + 10 - below
+                and max(one.above for one in text) <= tall - 14.5
             )
 
 
@@ -183,7 +170,7 @@ def test_a_sheet_on_its_side_has_its_block_along_its_short_side(fmt):
     assert not [
         line for line in [*frame(210, 297), *on_page(BLOCKS["next"], 210)] if not drawn(dark.T[:, ::-1], line)
     ]
-    place = [(one[0], one[2]) for one in pages(fmt)[number - 1][2] if one[4] == str(number)]
+    place = [(one.left, one.below) for one in pages(fmt)[number - 1][2] if one.text == str(number)]
     assert any(5 <= x <= 13 and 4.5 <= y <= 15 for x, y in place)
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.figures.charts.axes import round_axis
+from tmm_report.figures.charts.axes import axis_scale
 from tmm_report.figures.charts.plane import Frame, Spot, Trace, framed, plane
 from tmm_report.figures.drawing import Drawing, Pen
 from tmm_report.figures.lettering import Parts
@@ -54,7 +54,7 @@ def meeting(
     wanted."""
     z = places[..., 0] + 1j * places[..., 1]
     low, high = z[0, 0], z[-1, -1]
-    frame = Frame(low, high, *map(_round, ((high - low).real, (high - low).imag), FIELD))
+    frame = Frame(low, high, *map(axis_scale, ((high - low).real, (high - low).imag), FIELD))
     traces = [Trace(_zeros(z, rest[..., k]), names[k], PENS[k]) for k in (0, 1)]
     spots = [Spot(at, (text,) if text else (), "black") for at, text in roots]
     return plane(frame, traces, axes[0], axes[1], num, spots=spots)
@@ -92,13 +92,11 @@ def _spread(frame: Frame, x: Array) -> Frame:
     """The field from end to end of the range."""
     width = float(x[-1] - x[0])
     return Frame(
-        complex(x[0], frame.low.imag), complex(x[-1], frame.high.imag), _round(width, FIELD[0]), frame.y_scale
+        complex(x[0], frame.low.imag),
+        complex(x[-1], frame.high.imag),
+        axis_scale(width, FIELD[0]),
+        frame.y_scale,
     )
-
-
-def _round(span: float, room: float) -> float:
-    """The scale of an axis from end to end of a range."""
-    return span / round_axis(span, room)
 
 
 def _within(y: Array, level: float) -> Array:

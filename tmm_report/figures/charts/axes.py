@@ -159,9 +159,14 @@ def _finer(scale: float) -> float:
 def round_axis(extent: float, room: float) -> float:
     """Length of an axis of `extent`, mm, at the smallest round scale that `room` mm hold: 144 for a turn, 2.5° to a
     millimetre, where there are 144."""
+    return extent / axis_scale(extent, room)
+
+
+def axis_scale(extent: float, room: float) -> float:
+    """What a millimetre of that axis stands for."""
     least = extent / room * (1 - 1e-9)
     decade = 10.0 ** math.floor(math.log10(least))
-    return extent / min(s * d for s in ALONG for d in (decade, 10 * decade) if s * d >= least)
+    return min(s * d for s in ALONG for d in (decade, 10 * decade) if s * d >= least)
 
 
 def round_ticks(low: float, high: float, intervals: int = 6) -> list[float]:

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from tmm_report.figures.charts.axes import round_axis, round_ticks
+from tmm_report.figures.charts.axes import axis_scale, round_ticks
 from tmm_report.figures.drawing import (
     NORMAL,
     THIN,
@@ -116,15 +116,13 @@ def framed(
     z = np.append(z[np.isfinite(z)], 0j) if zero else z[np.isfinite(z)]
     low, high = _room(z.real.min(), z.real.max()), _room(z.imag.min(), z.imag.max())
     spans = low[1] - low[0], high[1] - high[0]
-    x, y = scales or (_round(spans[0], field[0]), _round(spans[1], field[1]))
+    x, y = scales or (
+        axis_scale(span, room) if span else 0.0 for span, room in zip(spans, field, strict=True)
+    )
     if equal:
         x = y = round_scale(max(x, y), 1.0)
     across, up = _wide(low, x), _wide(high, y)
     return Frame(complex(across[0], up[0]), complex(across[1], up[1]), x, y)
-
-
-def _round(span: float, room: float) -> float:
-    return span / round_axis(span, room) if span else 0.0
 
 
 def _wide(ends: tuple[float, float], scale: float) -> tuple[float, float]:

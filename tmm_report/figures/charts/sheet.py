@@ -29,7 +29,7 @@ from tmm_report.figures.charts.axes import (
 from tmm_report.figures.charts.peaks import Crowd, placed
 from tmm_report.figures.drawing import Circle, Drawing, Item, Path, Pen, Text, dot, line, polygon
 from tmm_report.figures.lettering import Parts, width
-from tmm_report.mechanics.lever.assur_groups import ROMAN
+from tmm_report.quantity.text import roman
 
 if TYPE_CHECKING:
     from tmm_report.figures.charts.graphs import Curve, Graph
@@ -248,7 +248,7 @@ def _regimes(graph: Graph) -> Iterator[Item]:
     for x, at, text in zip(places[1:], _apart(within, widths), texts, strict=True):
         yield line(complex(x, foot), complex(at, foot + 1.6), Pen(FRAME))
         yield Text(complex(at, foot + 2.0 + FIGURE / 2), text, FIGURE, 0)
-    names = [(ROMAN[k],) for k in range(1, len(places))]
+    names = [(roman(k),) for k in range(1, len(places))]
     middles = [(a + b) / 2 for a, b in pairwise(places)]
     for at, name in zip(_apart(middles, [width(name, FIGURE) for name in names]), names, strict=True):
         yield Text(complex(at, foot + REGIMES - 1.4 - FIGURE / 2), name, FIGURE, 0)

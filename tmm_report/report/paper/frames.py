@@ -18,7 +18,7 @@ from markupsafe import Markup
 from tmm_report.figures.drawing import Drawing, svg, tikz
 from tmm_report.figures.title_block import FIRST, NEXT, THICK, WIDE, Form, Said, first, following
 from tmm_report.problems import N_
-from tmm_report.profiles import A4
+from tmm_report.profiles import A4, BINDING, EDGE
 from tmm_report.report.paper.measure import letters
 from tmm_report.report.paper.sheets import POINT
 from tmm_report.report.part import Title
@@ -27,7 +27,9 @@ if TYPE_CHECKING:
     from tmm_report.report.numbering import Section
     from tmm_report.report.page import Page
 
-BINDING, EDGE = 20.0, 5.0  # mm: from the frame to the edges of the sheet, at the left and at the others
+LOWER = (
+    FIRST.tall - NEXT.tall
+)  # mm: by how much text of the first sheet ends higher than that of the next ones
 LINE = 0.53  # mm: width of the frame, two dots of a browser, which knows no parts of them in a border
 WORDS = {
     "Изм.": N_("Rev."), "Лист": N_("Sheet"), "№ докум.": N_("Doc. No."), "Подп.": N_("Sign."), "Дата": N_("Date"),
@@ -41,6 +43,8 @@ class Frames:
     """Frames of the sheets of one note, their title blocks and the places of their numbers."""
 
     line = LINE
+    binding, edge, wide = BINDING, EDGE, WIDE
+    lower = LOWER
 
     def __init__(self, title: Title, page: Page):
         self.title, self.page = title, page
@@ -120,11 +124,6 @@ class Frames:
         return _on_sheet(FIRST.sheets, A4[0])
 
     @property
-    def lower(self) -> float:
-        """By how much the text of the first sheet ends higher than that of the next ones, mm."""
-        return FIRST.tall - NEXT.tall
-
-    @property
     def forms(self) -> tuple[Form, Form]:
         return FIRST, NEXT
 
@@ -137,7 +136,7 @@ ASIDE = 35.0  # mm: what of a line is its indent, its number and that of its pag
 def lines_above_first(sections: Sequence[Section], page: Page) -> int:
     """How many lines of the contents the first sheet holds above its title block."""
     paper, size = page.form.paper, page.profile.text.size * POINT
-    room = int((paper.height - (FIRST.tall - NEXT.tall) - HEAD) / (SPACING * size))
+    room = int((paper.height - LOWER - HEAD) / (SPACING * size))
     for number, section in enumerate(sections):
         room -= 1 + int(size * letters(section.title) / (paper.width - ASIDE))
         if room < 0:

@@ -122,7 +122,8 @@ class OrdinaryView(ChapterView):
         """Every other symbol of the stage with its meaning, in the unit of the formulas."""
         left = {*self.stated, *WORK}
         keys = (key for key in self.s.DECLARED if key in self.s and key not in left)
-        return [{**item, "unit": "m"} if item["unit"] == "mm" else item for item in self.explained(*keys)]
+        found = ((f"{self.prefix}{key}", self.value(key)) for key in keys)
+        return [self.page.explained(name, of, of.quantity.unit) for name, of in found]
 
     def at_work(self) -> Markup:
         """The speed and the torque that the drive gives it."""
@@ -161,7 +162,7 @@ class OrdinaryView(ChapterView):
         return self.t(text, wrap=self.number(key, "deg"), least=least)
 
     def sketch(self) -> Drawing:
-        return sketch(self.found, str(self.heading), self.page.index_word)
+        return sketch(self.found, str(self.heading), self.page.tr.in_index)
 
     def conclusions(self) -> list[Markup]:
         return []

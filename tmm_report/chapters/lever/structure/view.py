@@ -26,6 +26,7 @@ from tmm_report.quantity.definition import Definition
 from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.text import roman
 from tmm_report.report.chapter_view import BookView
 from tmm_report.report.diagrams import scale_of
 from tmm_report.report.page import Page
@@ -36,7 +37,6 @@ from tmm_report.report.words import (
     PAIR_KINDS,
     group_name,
     of_so_many,
-    roman,
     so_many_pairs,
     structural_formula,
 )

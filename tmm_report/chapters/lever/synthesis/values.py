@@ -5,6 +5,7 @@ from __future__ import annotations
 from tmm_report.i18n import NP_
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.sheet import Q, Sheet
+from tmm_report.quantity.terms.directions import X_OF, Y_OF
 
 WORDS = (
     NP_("index", "lim"),
@@ -13,9 +14,6 @@ WORDS = (
     NP_("index", "met"),
     NP_("index", "work"),
 )
-
-
-X_OF, Y_OF = N_("x of point %(name)s"), N_("y of point %(name)s")
 
 
 def _centre(coordinate: str) -> Message:

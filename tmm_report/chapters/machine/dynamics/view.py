@@ -20,11 +20,11 @@ from tmm_report.figures.drawing import Drawing
 from tmm_report.mechanics.machine.reduced import LOST
 from tmm_report.problems import N_
 from tmm_report.quantity.ref import Ref
+from tmm_report.quantity.text import roman
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.part import Part
-from tmm_report.report.words import roman
 
 WAYS = {
     "speed": N_(

@@ -45,7 +45,7 @@ def parts(found: Found, page: Page) -> Iterator[Part]:
 
 def picture(found: Found, page: Page) -> Drawing:
     """The machine on its isolators, for a list of many."""
-    return scheme(found, page.tr.pgettext("index", BASE))
+    return scheme(found, page.tr.in_index(BASE))
 
 
 class VibrationView(ChapterView):

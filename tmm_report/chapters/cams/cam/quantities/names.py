@@ -62,11 +62,7 @@ def acceleration(found: CamFound) -> Quantity:
     if found.slides:
         return of(found, "cam_a", Symbol("a"), "m/s²", N_("acceleration of follower %(follower)s"))
     return of(
-        found,
-        "cam_e",
-        Symbol("epsilon"),
-        "rad/s²",
-        N_("angular acceleration of follower %(follower)s"),
+        found, "cam_e", Symbol("epsilon"), "rad/s²", N_("angular acceleration of follower %(follower)s")
     )
 
 

@@ -9,10 +9,11 @@ from operator import mul
 
 from tmm_report.chapters.gears.drive.power.plan import RPM, Link
 from tmm_report.chapters.gears.drive.power.solve import Found
-from tmm_report.chapters.gears.drive.power.values import Shaft, Sought, Values, roman
+from tmm_report.chapters.gears.drive.power.values import Shaft, Sought, Values
 from tmm_report.mechanics.machine.power_chain import PER_KILOWATT
 from tmm_report.quantity.formula import PI, Expr, Number, sqrt
 from tmm_report.quantity.sheet import Computed, Row
+from tmm_report.quantity.text import roman
 
 
 class Steps:
@@ -30,7 +31,7 @@ class Steps:
     ):
         self.found, self.plan, self.stages = found, found.plan, stages
         self.s = Values(prefix=prefix)
-        self.shafts = [Shaft(f"{prefix}_shafts", k, roman(k)) for k in range(len(found.power))]
+        self.shafts = [Shaft(f"{prefix}_shafts", k, roman(k) or "0") for k in range(len(found.power))]
         self._machine(moment)
         self._losses()
         self._motor()

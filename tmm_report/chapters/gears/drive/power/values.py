@@ -56,12 +56,6 @@ class Values(Sheet):
     )
 
 
-def roman(number: int) -> str:
-    """Of a shaft below 40, so that its letters are no wheel's; that of the motor is 0."""
-    ones = ("", "I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX")
-    return "X" * (number // 10) + ones[number % 10] or "0"
-
-
 class Shaft(Row):
     P = Q("P", "W", N_("power of the shaft"), "kW", formed="kW")
     n = Q("n", "rpm", N_("rotational speed of the shaft"))

@@ -28,7 +28,6 @@ from tmm_report.quantity.terms.wheel_words import of_wheel
 from tmm_report.report.page import Page
 from tmm_report.report.part import Failed, Part
 
-NARROW = "\N{NO-BREAK SPACE}"
 SCHEMES = {
     "sun-ring": N_("single-row stage with an external and an internal mesh"),
     "external-external": N_("two-row stage with two external meshes"),
@@ -66,7 +65,7 @@ class PlanetaryView(PlanetaryTables):
         page, listed = self.page, self.page.listed
         counts = [self.number(key) for key in ("k_least", "k_most")]
         many = listed(counts[: len(self.task.satellites)], "…")
-        allowed = [page.sym(self.value("tolerance").symbol), " ≤ ", self.tolerance, f"{NARROW}%"]
+        allowed = [page.sym(self.value("tolerance").symbol), " ≤ ", page.in_unit(self.tolerance, "%")]
         return listed(
             [
                 self.told_of(["u_wanted"]),

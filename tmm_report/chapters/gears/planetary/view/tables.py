@@ -37,11 +37,6 @@ PLACES = {
     "contact": 3,
     "gap": 2,
 }  # decimals of the conditions
-UNITS = {
-    "%": "\N{NO-BREAK SPACE}%",
-    "deg": "°",
-    "": "",
-}  # as they are written after the numbers of the conditions
 
 INPUT = Symbol("omega", NP_("index", "in"))
 
@@ -165,10 +160,10 @@ class PlanetaryTables(ChapterView):
         table, listed = self.table("conditions"), self.page.listed
         if of.key == "gap":
             found = self.page.shown(table, "value", row, "mm", places=2)
-            gap = listed([found, self.page.unit("mm")], "\N{NO-BREAK SPACE}")
+            gap = self.page.in_unit(found, "mm")
             return [gap, listed(["> ", self.page.shown(table, "limit", row, "mm")], ""), gap]
         value, limit, margin = (
-            listed([self.page.shown(table, key, row, places=PLACES[of.key]), UNITS[of.unit]], "")
+            self.page.in_unit(self.page.shown(table, key, row, places=PLACES[of.key]), of.unit)
             for key in ("value", "limit", "margin")
         )
         symbol = self.page.sym(table["value"].symbol(row))

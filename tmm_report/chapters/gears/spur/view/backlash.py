@@ -110,4 +110,4 @@ class BacklashView(ChapterView):
                 )
                 for column in columns:
                     shown = self.page.shown(table, column, row, places=3)
-                    yield self.page.listed([shown, self.page.unit("mm")], "\N{NO-BREAK SPACE}")
+                    yield self.page.in_unit(shown, "mm")

@@ -241,8 +241,7 @@ class SpurView(ChapterView):
         return self.page.listed([name, self._with_unit("value", row, c)], equals)
 
     def _with_unit(self, key: str, row: int, c: Condition) -> Markup:
-        unit = {"deg": "°", "": ""}.get(c.unit, f"\N{NO-BREAK SPACE}{self.page.unit(c.unit)}")
-        return self.page.listed([self.page.said(self._measured(key, row, c)), unit], "")
+        return self.page.in_unit(self.page.said(self._measured(key, row, c)), c.unit)
 
     def _measured(self, key: str, row: int, c: Condition, size: bool = False) -> Cell:
         """A number in the unit of the condition: mm, degrees or none."""

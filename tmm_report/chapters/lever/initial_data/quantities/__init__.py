@@ -27,6 +27,7 @@ from tmm_report.quantity.model import Column, Quantity, Table, Value, text_colum
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol, segment
 from tmm_report.quantity.tabulated import tabulated
+from tmm_report.quantity.terms.directions import X_OF, Y_OF
 from tmm_report.quantity.written import SEGMENT
 
 if TYPE_CHECKING:
@@ -40,7 +41,6 @@ FIXED = Message(N_("coordinates of the fixed points"))
 MASSES = Message(N_("masses of the links, their mass centres and moments of inertia"))
 LINK = Message(N_("link"))
 
-X_OF, Y_OF = N_("x of point %(name)s"), N_("y of point %(name)s")
 X = Quantity("x", Symbol("x"), "m", Message(N_("x of the point")))
 Y = Quantity("y", Symbol("y"), "m", Message(N_("y of the point")))
 MASS = Quantity("m", Symbol("m"), "kg", Message(N_("mass of the link")))

@@ -16,7 +16,7 @@ import numpy as np
 
 from tmm_report.chapters.lever.kinematics.contours.known import Line, Pose, Spot
 from tmm_report.chapters.lever.kinematics.contours.nodes import Sides, times, total
-from tmm_report.chapters.lever.kinematics.contours.worked import X_OF, Y_OF, Bench
+from tmm_report.chapters.lever.kinematics.contours.worked import Bench
 from tmm_report.chapters.lever.kinematics.solve import points_and_links as q
 from tmm_report.mechanics.lever.assur_groups import Group
 from tmm_report.mechanics.lever.dyads import Dyad
@@ -24,6 +24,7 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Expr, Formula, Negative, Term, Var, VectorEquation, cos, sin
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.terms.directions import X_OF, Y_OF
 from tmm_report.records import dataclass
 
 Array = Any

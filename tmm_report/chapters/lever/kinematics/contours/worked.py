@@ -27,6 +27,7 @@ from tmm_report.quantity.formula import Expr, Formula, Var
 from tmm_report.quantity.model import Book, Quantity, variable
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.terms.directions import X_OF, Y_OF
 from tmm_report.records import dataclass
 
 Array = Any
@@ -274,9 +275,6 @@ class Bench:
             for letter, terms in (("v", moved.velocity), ("a", moved.acceleration))
         )
         return Spot(name, x, y, (v[0], v[1]), (a[0], a[1]))
-
-
-X_OF, Y_OF = N_("x of point %(name)s"), N_("y of point %(name)s")
 
 
 def _beta(guide: str) -> Quantity:

@@ -21,6 +21,7 @@ from tmm_report.quantity.model import Column, Quantity, kept
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.terms.cycle import PHI as PHI
 from tmm_report.quantity.terms.cycle import POSITION as POSITION
+from tmm_report.quantity.terms.directions import X_OF, Y_OF
 
 Array = Any
 
@@ -52,8 +53,8 @@ def places(motion: Motion) -> Iterator[Column]:
     for point in moving_points(motion.linkage):
         place = motion.place(point)
         for axis, text, values in (
-            ("x", N_("x of point %(name)s"), place.real),
-            ("y", N_("y of point %(name)s"), place.imag),
+            ("x", X_OF, place.real),
+            ("y", Y_OF, place.imag),
         ):
             yield coordinate(axis, text, point).column(values)
     for link in turning_links(motion.linkage):

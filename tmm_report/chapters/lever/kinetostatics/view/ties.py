@@ -82,7 +82,7 @@ class TiesView(BookView):
         if tie.at_length is None:
             return [NONE, self.t(AT_POSITION, force=force, position=tie.at_position or 0)]
         arm = self.page.shown(table, "l_F", row, unit="mm")
-        under = self.page.listed([arm, self.page.unit("mm")], "\N{NO-BREAK SPACE}")
+        under = self.page.in_unit(arm, "mm")
         return [NONE, self.t(AT_LENGTH, force=force, length=under)]
 
     # ------------------------------------------------------------ the sample position

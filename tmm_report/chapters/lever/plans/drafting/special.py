@@ -25,6 +25,7 @@ from tmm_report.mechanics.lever.vector_equations import Branch, System
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import Formula, Symbol, Term, Var, VectorEquation
 from tmm_report.quantity.model import Quantity
+from tmm_report.quantity.terms.directions import X_OF, Y_OF
 from tmm_report.quantity.text import round_significant
 from tmm_report.quantity.written import DIGITS, segment_of
 from tmm_report.records import dataclass
@@ -34,7 +35,6 @@ LEAST = (
 )
 FAR = 200.0  # mm of paper: a special point further away is not drawn
 
-X_OF, Y_OF = N_("x of point %(name)s"), N_("y of point %(name)s")
 NORMAL = N_("normal acceleration of point %(one)s relative to point %(other)s")
 
 Lines = Mapping[Branch, tuple[Line, list[Formula]]]

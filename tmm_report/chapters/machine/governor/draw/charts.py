@@ -9,7 +9,7 @@ import numpy as np
 
 from tmm_report.chapters.machine.governor.solve.by_itself import DirectFound
 from tmm_report.chapters.machine.governor.solve.in_loop import LoopFound
-from tmm_report.figures.charts.axes import round_axis
+from tmm_report.figures.charts.axes import axis_scale
 from tmm_report.figures.charts.plane import Frame, Spot, Trace, framed, plane
 from tmm_report.figures.drawing import Drawing, Pen, Tag
 from tmm_report.figures.lettering import Parts
@@ -73,7 +73,8 @@ def vyshnegradsky(found: LoopFound, axes: Axes, num: Num, words: dict[str, str])
         equal + 1j * small.equal_decay(equal),
     ]
     kept = [np.where((c.real <= far) & (c.imag <= far), c, np.nan) for c in curves]
-    frame = Frame(0j, complex(far, far), far / round_axis(far, 95), far / round_axis(far, 95))
+    scale = axis_scale(far, 95)
+    frame = Frame(0j, complex(far, far), scale, scale)
     pens = (Pen(0.6), Pen(0.35, "blue"), Pen(0.3, "green", (3.0, 1.0)))
     names: list[Parts] = [(words["boundary"],), (words["double"],), (words["equal"],)]
     traces = [Trace(c, n, p) for c, n, p in zip(kept, names, pens, strict=True)]
@@ -93,7 +94,7 @@ def isodrome(found: LoopFound, axes: Axes, num: Num, words: dict[str, str]) -> D
     _, beta, Ti = found.boundary
     far = complex(2.5 * found.servo.Ti, 2.5 * found.servo.beta)
     inside = (Ti <= far.real) & (beta <= far.imag)
-    frame = Frame(0j, far, far.real / round_axis(far.real, 110), far.imag / round_axis(far.imag, 85))
+    frame = Frame(0j, far, axis_scale(far.real, 110), axis_scale(far.imag, 85))
     traces = [Trace(np.where(inside, Ti + 1j * beta, np.nan), (words["boundary"],), Pen(0.6))]
     spots = [Spot(complex(found.servo.Ti, found.servo.beta), (words["machine"],), "red")]
     tags = [Tag((text,), (frame.at(at),)) for at, text in _named(found, far, words)]

@@ -115,7 +115,7 @@ class BrakeView(ChapterView):
     @cached_property
     def drawing(self) -> Drawing:
         return brake.brake(
-            self.found, str(self.t(N_("Scheme of the centrifugal brake"))), self.page.index_word
+            self.found, str(self.t(N_("Scheme of the centrifugal brake"))), self.page.tr.in_index
         )
 
     @cached_property

@@ -61,7 +61,7 @@ def picture(found: Found, page: Page) -> Drawing:
     if found.direct is not None:
         return scheme.dimensioned(found.direct)
     assert found.brake is not None
-    return brake.brake(found.brake, words=page.index_word)
+    return brake.brake(found.brake, words=page.tr.in_index)
 
 
 class GovernorView(ChapterView):
