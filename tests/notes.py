@@ -22,6 +22,13 @@ def render(results: Results, fmt: str = "html", language: str | None = None) -> 
     return of_depth(results, fmt, language, "full")
 
 
+def static(page: str) -> str:
+    """A note in HTML as it is where scripts are off: without what moves it on the screen."""
+    body, begins, behind = page.rpartition("<style>\n/* The living page")
+    assert begins and behind.count("<script") == 2, "the living page stands behind the text of a note"
+    return body + behind.rpartition("</script>\n")[2]
+
+
 def note(name: str, fmt: str, language: str | None = None) -> dict[str, bytes]:
     """Files of the note of a ready variant; in its own language where none is stated."""
     return rendered(name, fmt, language or read(name).language)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from types import ModuleType
 from typing import Any
 
@@ -13,6 +14,7 @@ from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message
 from tmm_report.report import render as render_parts
 from tmm_report.report.doubts import Doubts
+from tmm_report.report.formats import Html
 from tmm_report.report.page import Page
 from tmm_report.report.part import Inner, Part
 
@@ -38,7 +40,15 @@ def render(results: Results, fmt: str, tr: Translator, depth: Depth | None = Non
         results.variant.profile,
         results.variant.assignment,
         results.variant.template,
+        partial(_living, results),
     )
+
+
+def _living(results: Results, text: str, page: Page) -> str:
+    from tmm_report.living import added  # for the screen alone
+
+    assert isinstance(page.form, Html)
+    return added(text, results, page, page.form.pictures)
 
 
 def _undone(results: Results) -> Iterator[Message]:

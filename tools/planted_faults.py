@@ -38,6 +38,7 @@ from faults import Fault  # noqa: E402
 from plants import cams as faults_cams  # noqa: E402
 from plants import gears as faults_gears  # noqa: E402
 from plants import lint as faults_lint  # noqa: E402
+from plants import living as faults_living  # noqa: E402
 from plants import note as faults_depth  # noqa: E402
 from plants import paper as faults_paper  # noqa: E402
 from plants import stages as faults_stages  # noqa: E402
@@ -51,6 +52,7 @@ FAULTS = (
     *faults_depth.FAULTS,
     *faults_paper.FAULTS,
     *faults_lint.FAULTS,
+    *faults_living.FAULTS,
     *faults_gears.FAULTS,
     *faults_stages.FAULTS,
     *faults_edges.FAULTS,

@@ -10,7 +10,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from notes import VARIANTS, program, render
+from notes import VARIANTS, program, render, static
 from payloads import PAYLOADS
 from typer.testing import CliRunner
 
@@ -41,7 +41,7 @@ def hostile():
 
 @pytest.fixture(scope="module")
 def page(hostile) -> str:
-    return render(hostile, "html")["note.html"].decode()
+    return static(render(hostile, "html")["note.html"].decode())
 
 
 def test_html_shows_it_as_text(page):

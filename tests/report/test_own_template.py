@@ -9,7 +9,7 @@ from time import process_time
 
 import pytest
 from conftest import solved
-from notes import VARIANTS, program
+from notes import VARIANTS, program, static
 from typesetting import set_by_tex
 
 from tmm_report import render
@@ -91,7 +91,7 @@ def test_figures_that_wait_stand_before_a_block_without_a_heading(fmt):
 
 
 def test_what_stands_in_a_template_is_text():
-    text = html(block("<b>x</b> & <script>alert(1)</script> {{ '<i>' }} {{ m.p('</p><u>') }}"))
+    text = static(html(block("<b>x</b> & <script>alert(1)</script> {{ '<i>' }} {{ m.p('</p><u>') }}")))
     assert (
         "&lt;b&gt;x&lt;/b&gt; &amp;" in text
         and "<script" not in text

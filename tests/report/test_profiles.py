@@ -153,7 +153,7 @@ def explained(text: str) -> str:
 
 @each
 def test_there_is_one_dash_between_words(name):
-    text = re.sub(r"<(style|svg).*?</\1>", "", html(name), flags=re.S)
+    text = re.sub(r"<(style|svg|script).*?</\1>", "", html(name), flags=re.S)
     other = {"—": "–", "–": "—"}[PROFILES[name].dash_sign]
     assert len(re.findall(rf"\s{PROFILES[name].dash_sign}\s", text)) > 20 and not re.search(
         rf"\s{other}\s", text

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
 from itertools import chain
+from typing import NamedTuple
 
 import numpy as np
 
@@ -62,6 +63,7 @@ __all__ = [
     "Item",
     "Path",
     "Pen",
+    "Planned",
     "Tag",
     "Text",
     "dot",
@@ -75,6 +77,13 @@ __all__ = [
 ]
 
 
+class Planned(NamedTuple):
+    """The vectors of a plan: key of the quantity, start and end, mm; `scale`: what 1 mm stands for, SI."""
+
+    vectors: tuple[tuple[str, complex, complex], ...]
+    scale: float
+
+
 @dataclass(frozen=True)
 class Drawing:
     """Primitives in the order they are drawn, mm of paper; `title` is read aloud to who cannot see it."""
@@ -83,6 +92,7 @@ class Drawing:
     title: str = ""
     margin: float = field(default=1.0, kw_only=True)
     scales: tuple[Scale, ...] = field(default=(), kw_only=True)  # of its axes, where it has some
+    plan: Planned | None = field(default=None, kw_only=True)  # of a plan, what it shows
 
     @cached_property
     def box(self) -> Box:

@@ -19,6 +19,7 @@ from tmm_report.figures.drawing import (
     Drawing,
     Item,
     Pen,
+    Planned,
     Tag,
     dot,
     line,
@@ -81,12 +82,13 @@ def plan(
     note: str | Parts = "",
     title: str = "",
     pole: str = "",
+    scale: float = 0.0,
 ) -> Drawing:
     """The plan drawn as given, mm; vectors of no length are left out.
 
     Of vectors that lie upon one another the thickest, then the longest, keeps the line, the others stand beside it.
     `vertices` are lettered once, coinciding ones together ("b, p"); the one named `pole` gets a larger dot.
-    `note`, the scale, goes under the drawing.
+    `note`, the scale, goes under the drawing. `scale`: what 1 mm stands for, SI, where the page is to redraw it.
     """
     seen = _side_by_side([vector for vector in vectors if abs(vector.end - vector.start) > 1e-3])
     # thin lines first: a component must not hide the vector it lies on
@@ -94,7 +96,10 @@ def plan(
     items += [_drawn(one) for one in sorted(seen, key=lambda one: PENS[one.vector.style].width)]
     items += [dot(place, 0.8 if name == pole else 0.45) for name, place in vertices.items()]
     tags = _vertex_tags(vertices) + [_vector_tag(one, one.vector.label) for one in seen if one.vector.label]
-    return Drawing(tuple(items), title).labelled(tags).noted(note)
+    shown = (
+        Planned(tuple((one.of, one.start, one.end) for one in vectors if one.of), scale) if scale else None
+    )
+    return Drawing(tuple(items), title, plan=shown).labelled(tags).noted(note)
 
 
 def _side_by_side(vectors: Sequence[PlanVector]) -> list[_Placed]:

@@ -40,18 +40,22 @@ def render(
     profile: Profile | None = None,
     assignment: object = None,
     template_of: tuple[bytes, str] | None = None,
+    living: Callable[[str, Page], str] | None = None,
 ) -> dict[str, bytes]:
     """File name -> content: "note.html" alone, "note.tex" with the figures it reads, or the figures as pictures.
 
     `undone`: what was asked and is not in the note; the conclusions begin with it. `note`: how much it says;
     `profile`: how it looks on paper; `assignment`: its sheet, as its template knows it;
-    `template_of`: a department's own template and the name of its file.
+    `template_of`: a department's own template and the name of its file; `living`: puts into a page of HTML what moves
+    it on the screen.
     """
     page = Page(FORMATS[fmt](), tr, Numbering(), note, profile)
     parts = make(page)
     given = {**_given(title, page), "assignment": assignment}
     own = _own(template_of) if template_of else None
     text = _written(given, parts, page, undone, own)
+    if living is not None and fmt == "html":
+        text = living(text, page)
     return page.form.files if fmt == "png" else {f"note.{fmt}": text.encode(), **page.form.files}
 
 

@@ -38,7 +38,8 @@ class Mathematics(Protocol):
 class Html(Waiting[Markup]):
     """One self-contained file: pictures stand in it as svg.
 
-    `breaking`: whether a line may break within words longer than any of a language, as in a note.
+    `breaking`: whether a line may break within words longer than any of a language, as in a note; `pictures`: those of
+    its figures, by their anchors.
     Figures that have sheets of their own wait, and those behind them: they stand before the next heading, together, so
     that the text goes on and is broken once.
     """
@@ -46,6 +47,7 @@ class Html(Waiting[Markup]):
     name = "html"
     breaking: bool = False
     files: dict[str, bytes] = field(default_factory=dict)
+    pictures: dict[str, Drawing | Graph] = field(default_factory=dict)
 
     def escape(self, text: str) -> Markup:
         return _escaped(text, self.breaking)
@@ -66,6 +68,7 @@ class Html(Waiting[Markup]):
         return Markup(text if share == 1 else f'<span style="font-size:{100 * share:.0f}%">{text}</span>')
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
+        self.pictures[anchor] = picture
         return Markup(svg(_drawing(picture)))
 
     def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:

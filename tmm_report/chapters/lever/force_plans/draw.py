@@ -23,4 +23,4 @@ def force_picture(drawn: ForcePlan, words: Callable[[str], str], scale: float | 
         PlanVector(by * s.start, by * s.end, lettered(s.quantity.symbol, words), STYLES[s.kind], s.key)
         for s in drawn.strokes
     ]
-    return plan(vectors, {})
+    return plan(vectors, {}, scale=scale or drawn.scale)

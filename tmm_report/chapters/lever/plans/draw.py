@@ -21,7 +21,7 @@ def plan_picture(drawn: Plan, scale: float | None = None) -> Drawing:
         PlanVector(by * s.start, by * s.end, lettered(s.symbol), _style(s), s.key) for s in drawn.strokes
     ]
     vertices = {name: by * place for name, place in drawn.vertices.items()}
-    return plan(vectors, vertices, pole=drawn.pole)
+    return plan(vectors, vertices, pole=drawn.pole, scale=scale or drawn.scale)
 
 
 def _style(stroke: Stroke) -> Style:

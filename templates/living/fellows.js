@@ -1,0 +1,120 @@
+// What shows one quantity belongs together: cells, symbols, vectors and links are lit by one another; a click says how
+// the number comes about, by the formulas of the page, or by the sentence of its chapter.
+
+const MOST = 6; // formulas of one answer
+const marked = (from) => from?.closest?.("[data-q], [data-link], [data-point]");
+
+// The links and points that a key names: v_B, R_12, a_BA_t.
+function subjects(key) {
+  if (!mechanism) return [];
+  const names = key.split("_").slice(1);
+  const parts = names.flatMap((n) => [n, ...n.split(/[,-]/), ...(n.length === 2 ? [...n] : [])]);
+  return parts.filter((n) => n in mechanism.links || n in mechanism.points);
+}
+
+function lit(one, on) {
+  const { q, link, point } = one.dataset;
+  const many = q ? [`[data-q="${CSS.escape(q)}"]`, ...subjects(q).map(named)] : [named(link ?? point)];
+  if (link) many.push(`[data-q="omega_${CSS.escape(link)}"]`, `[data-q="w_${CSS.escape(link)}"]`, `[data-q="phi_${CSS.escape(link)}"]`);
+  if (point) many.push(...["v", "a", "x", "y"].map((x) => `[data-q="${x}_${CSS.escape(point)}"]`));
+  const row = one.dataset.k;
+  for (const fellow of document.querySelectorAll(many.join(","))) {
+    fellow.classList.toggle("fellow", on);
+    if (q && row !== undefined && fellow.dataset.k === row) fellow.classList.toggle("same", on);
+  }
+}
+
+const named = (name) => `[data-link="${CSS.escape(name)}"],[data-point="${CSS.escape(name)}"]`;
+
+function fellowsLight() {
+  let now = null;
+  const light = (one) => {
+    if (one === now) return;
+    if (now) lit(now, false);
+    now = one ?? null;
+    if (now) lit(now, true);
+  };
+  addEventListener("pointerover", (event) => light(marked(event.target)));
+  addEventListener("focusin", (event) => light(marked(event.target)));
+}
+
+// ---- how a number comes about
+
+// The formula that defines a quantity: its result comes first among the marks of the formula.
+function formulaOf(key, row) {
+  const all = [...document.querySelectorAll("main .formula")].filter((f) => f.querySelector("[data-q]"));
+  const own = all.filter((f) => [...f.querySelectorAll("[data-q]")].at(-1).dataset.q === key || f.querySelector("[data-q]").dataset.q === key);
+  return own.find((f) => [...f.querySelectorAll("[data-q]")].some((x) => x.dataset.q === key && x.dataset.k === row)) ?? own[0];
+}
+
+// The formula and those of what stands in it, in the order of the note.
+function derivation(key, row) {
+  const found = new Set();
+  const waiting = [formulaOf(key, row)];
+  while (waiting.length && found.size < MOST) {
+    const formula = waiting.shift();
+    if (!formula || found.has(formula)) continue;
+    found.add(formula);
+    for (const one of formula.querySelectorAll("[data-q]")) if (one.dataset.q !== key) waiting.push(formulaOf(one.dataset.q, one.dataset.k));
+  }
+  return [...found].sort((a, b) => (a.compareDocumentPosition(b) & 4 ? -1 : 1));
+}
+
+function told(kind, { q, t }) {
+  const of = known.told[kind];
+  const n = of[`${t ?? ""}.${q}`] ?? of[q];
+  return n === undefined ? "" : known.told.texts[n];
+}
+
+function explain(one) {
+  const { q, k } = one.dataset;
+  const box = element("dialog", { class: "told" });
+  const close = () => box.close();
+  box.append(element("button", { type: "button", class: "close", "aria-label": words.close, click: close }, "×"));
+  const meaning = told("meanings", one.dataset);
+  box.append(element("p", { class: "head" }, meaning || q, k === undefined ? "" : `, ${words.position.toLowerCase()} ${k}`, ": ", element("b", {}, one.textContent)));
+  const way = told("ways", one.dataset);
+  if (way) box.append(element("p", {}, way));
+  for (const formula of derivation(q, k)) {
+    const copy = formula.querySelector(".math").cloneNode(true);
+    const number = formula.querySelector(".number")?.textContent ?? "";
+    const back = element("a", { href: formula.id ? `#${formula.id}` : "#", click: close, title: words.formula }, number || "→");
+    if (!formula.id) back.addEventListener("click", (event) => (event.preventDefault(), formula.scrollIntoView({ block: "center" })));
+    box.append(element("div", { class: "formula" }, copy, back));
+  }
+  box.addEventListener("click", (event) => event.target === box && close());
+  box.addEventListener("close", () => box.remove());
+  document.body.append(box);
+  box.showModal();
+}
+
+function clicksExplain() {
+  const asks = (from) => {
+    const one = from.closest("main [data-q]");
+    return one && one.dataset.q !== "position" && !from.closest("a, button, svg") ? one : null;
+  };
+  document.addEventListener("click", (event) => {
+    const one = asks(event.target);
+    if (one && !getSelection().toString()) explain(one);
+  });
+  for (const one of document.querySelectorAll("main td[data-q]")) one.tabIndex = one.tabIndex < 0 ? -1 : one.tabIndex;
+  document.addEventListener("keydown", (event) => {
+    if (event.key === "Enter" && event.target.matches?.("main td[data-q]")) explain(event.target);
+    const by = { ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1] }[event.key];
+    if (by && event.target.matches?.("main td")) goes(event, by);
+  });
+  // one stop of the tabulator a table, arrows within it
+  for (const table of document.querySelectorAll("main table")) {
+    const first = table.querySelector("td[data-q]");
+    if (first) first.tabIndex = 0;
+  }
+}
+
+function goes(event, [down, right]) {
+  const cell = event.target;
+  const to = cell.parentElement.parentElement.rows[cell.parentElement.sectionRowIndex + down]?.cells[cell.cellIndex + right];
+  if (!to) return;
+  event.preventDefault();
+  to.tabIndex = -1;
+  to.focus();
+}

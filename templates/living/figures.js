@@ -1,0 +1,163 @@
+// Figures of the note that follow the position: plans and force polygons, cursors along the diagrams.
+// In print and where they were constructed they are as the note has them.
+
+const WIDE = 165; // mm that the text holds
+const originals = new Map(); // attribute by attribute, to be put back
+
+function change(one, name, to) {
+  if (!originals.has(one)) originals.set(one, {});
+  const kept = originals.get(one);
+  if (!(name in kept)) kept[name] = one.getAttribute(name);
+  one.setAttribute(name, to);
+}
+
+function restore(within) {
+  for (const [one, kept] of originals) {
+    if (!within.contains(one)) continue;
+    for (const [name, was] of Object.entries(kept)) was === null ? one.removeAttribute(name) : one.setAttribute(name, was);
+    originals.delete(one);
+  }
+}
+
+const numbers = (d) => d.match(/-?[\d.]+(?:e-?\d+)?/g).map(Number);
+
+function livePlan(figure, plan) {
+  const svg = figure.querySelector("svg");
+  const all = svg.querySelector("g");
+  const arrows = [...all.querySelectorAll("g[data-q]")];
+  // one that has no length where the plan was constructed is not drawn there
+  const missing = (key) => {
+    const look = { visibility: "hidden", color: "#000", class: "layer" };
+    const one = drawn("g", { "data-q": key, ...look }, drawn("path", { class: "shaft" }), drawn("path", { class: "head" }));
+    all.append(one);
+    return one;
+  };
+  const free = plan.arrows.map(([key, from, to]) => {
+    const k = arrows.findIndex((a) => a.dataset.q === key);
+    return { from, to, one: k < 0 ? missing(key) : arrows.splice(k, 1)[0] };
+  });
+  const ends = ({ from, to }) => [plan.at[from], plan.at[to]];
+  // what is lettered: a vertex, or the vector whose middle is nearest
+  const anchored = (x, y) => {
+    const spots = [
+      ...plan.at.map(([u, v], n) => ({ far: Math.hypot(u - x, -v - y), of: [n, n] })),
+      ...free.map((a) => {
+        const [[u, v], [p, q]] = ends(a);
+        const shares = [0.25, 0.42, 0.58, 0.75].map((s) => Math.hypot(u + s * (p - u) - x, -(v + s * (q - v)) - y));
+        return { far: Math.min(...shares), of: [a.from, a.to] };
+      }),
+    ];
+    return spots.reduce((a, b) => (b.far < a.far ? b : a)).of;
+  };
+  const texts = [...all.querySelectorAll("text")].map((one) => [one, anchored(Number(one.getAttribute("x")), Number(one.getAttribute("y")))]);
+  const dots = [...all.querySelectorAll("circle")].map((one) => [one, anchored(Number(one.getAttribute("cx")), Number(one.getAttribute("cy")))]);
+  const [wide, moved] = [svg.getAttribute("viewBox").split(" ").map(Number), reach(plan, svg)];
+  const larger = Math.max(1, moved[2] / WIDE); // so that letters are as large where the plan is made smaller
+  const others = [...all.children].filter((one) => one.localName === "path");
+  return () => {
+    if (position() === plan.position) return restore(figure);
+    const nodes = plan.nodes.map((n) => {
+      const [x, y] = n ? [value(n[0]), value(n[1])] : [null, null];
+      return x === null || y === null ? null : [x, y];
+    });
+    for (const { one, from, to } of free) {
+      const there = nodes[from] && nodes[to];
+      change(one, "visibility", there ? "visible" : "hidden");
+      if (!there) continue;
+      const [shaft, head] = arrow(nodes[from][0], -nodes[from][1], nodes[to][0], -nodes[to][1]);
+      change(one.children[0], "d", shaft);
+      change(one.children[1], "d", head);
+    }
+    for (const [one, [a, b]] of [...texts, ...dots]) {
+      const there = nodes[a] && nodes[b];
+      change(one, "visibility", there ? "visible" : "hidden");
+      if (!there) continue;
+      const by = [0, 1].map((c) => (nodes[a][c] + nodes[b][c] - plan.at[a][c] - plan.at[b][c]) / 2);
+      const [x, y] = ["x", "y"].map((c) => Number(one.getAttribute(c) ?? one.getAttribute(`c${c}`)));
+      change(one, "transform", `translate(${by[0] + x} ${-by[1] + y}) scale(${larger}) translate(${-x} ${-y})`);
+    }
+    for (const one of others) change(one, "visibility", "hidden"); // lines by which it was constructed
+    if (!moved.some((x, k) => Math.abs(x - wide[k]) > 0.01)) return;
+    change(svg, "viewBox", moved.join(" "));
+    change(svg, "width", `${moved[2]}mm`);
+    change(svg, "height", `${moved[3]}mm`);
+  };
+}
+
+// What the plan needs in all positions, at its scale: left, top, width and height, mm, y down.
+function reach(plan, svg) {
+  const [x, y, w, h] = svg.getAttribute("viewBox").split(" ").map(Number);
+  const every = plan.nodes.filter(Boolean);
+  const [us, vs] = [0, 1].map((c) => every.flatMap((n) => n[c]).filter((z) => z !== null));
+  const [left, top] = [Math.min(x, Math.min(...us) - 5), Math.min(y, -Math.max(...vs) - 5)];
+  return [left, top, Math.max(x + w, Math.max(...us) + 5) - left, Math.max(y + h, 5 - Math.min(...vs)) - top];
+}
+
+function liveChart(figure, chart) {
+  const svg = figure.querySelector("svg");
+  const group = drawn("g", { class: "cursor" });
+  svg.append(group);
+  const marks = chart.panels.map((panel) => {
+    const [bottom, top] = panel.box;
+    const upright = group.appendChild(drawn("path", { d: `M0 ${-bottom}V${-top}` }));
+    const curves = panel.curves.map((curve) => ({
+      curve,
+      dot: group.appendChild(drawn("circle", { r: 0.9 })),
+      letter: group.appendChild(drawn("text", { "font-size": 2.8 })),
+    }));
+    return { panel, upright, curves };
+  });
+  const goes = (event) => {
+    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+    const share = (at.x - chart.left) / (chart.right - chart.left);
+    if (share >= -0.02 && share <= 1.02) stop(), show(settled(cycle.at[0] + Math.min(Math.max(share, 0), 1) * span * (share >= 1 ? 1 - 1e-9 : 1)));
+  };
+  let held = false;
+  svg.addEventListener("pointerdown", (event) => ((held = event.pointerType === "mouse"), goes(event)));
+  svg.addEventListener("pointermove", (event) => held && event.buttons && goes(event));
+  svg.addEventListener("pointerup", () => (held = false));
+  return () => {
+    const share = span ? (where.at - cycle.at[0]) / span : 0;
+    const x = chart.left + share * (chart.right - chart.left);
+    for (const { panel, upright, curves } of marks) {
+      const [bottom, top, low, high] = panel.box;
+      upright.setAttribute("transform", `translate(${x} 0)`);
+      for (const { curve, dot, letter } of curves) {
+        const now = value(curve.values);
+        for (const one of [dot, letter]) one.style.display = now === null ? "none" : "";
+        if (now === null) continue;
+        const y = -(bottom + ((now - low) / (high - low)) * (top - bottom));
+        dot.setAttribute("cx", x), dot.setAttribute("cy", y);
+        const left = share > 0.7;
+        letter.setAttribute("x", x + (left ? -1.6 : 1.6)), letter.setAttribute("y", y - 1.2);
+        letter.setAttribute("text-anchor", left ? "end" : "start");
+        letter.textContent = `${curve.name ? `${curve.name} = ` : ""}${text(now)} ${panel.unit}`;
+      }
+    }
+  };
+}
+
+// Only figures that are in sight are drawn again, the others as they come into it.
+function figuresFollow() {
+  const inSight = new Set();
+  const draws = new Map();
+  const watch = new IntersectionObserver((entries) => {
+    for (const { target, isIntersecting } of entries) {
+      isIntersecting ? inSight.add(target) : inSight.delete(target);
+      if (isIntersecting) draws.get(target)();
+    }
+  }, { rootMargin: "200px" });
+  const add = (kind, make) => {
+    for (const [anchor, of] of Object.entries(known[kind] ?? {})) {
+      const figure = document.getElementById(anchor);
+      if (!figure?.querySelector("svg")) continue;
+      draws.set(figure, make(figure, of));
+      watch.observe(figure);
+    }
+  };
+  add("plans", livePlan);
+  add("charts", liveChart);
+  followers.push(() => inSight.forEach((figure) => draws.get(figure)()));
+  addEventListener("beforeprint", () => restore(document.body));
+  addEventListener("afterprint", () => draws.forEach((draw) => draw()));
+}

@@ -1,0 +1,82 @@
+"""The living page: what stands behind the text of a note in HTML, for the screen alone: a style, data and a script.
+
+The script (`templates/living/*.js`) moves what is drawn and knows nothing of mechanics: all its numbers are those of
+the positions that were solved, as one block of JSON. Without it the page is the static note, and so it is in print.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from base64 import b64encode
+from collections.abc import Container, Mapping
+from functools import cache
+from hashlib import sha256
+from html import unescape
+from typing import Any
+
+from tmm_report.course import Results
+from tmm_report.figures.charts.graphs import Graph
+from tmm_report.figures.drawing import Drawing
+from tmm_report.living.charts import cursors
+from tmm_report.living.cycle import Cycle, cycle_of
+from tmm_report.living.mechanism import moving
+from tmm_report.living.plans import polygons
+from tmm_report.living.told import told
+from tmm_report.living.words import words
+from tmm_report.report.page import Page
+from tmm_report.resources import data_root
+
+SCRIPTS = ("state", "mechanism", "stage", "figures", "tables", "fellows", "page")  # in the order they run
+_KEY = re.compile(' data-q="([^"]*)"')
+Pictures = Mapping[str, Drawing | Graph]
+
+
+def added(text: str, results: Results, page: Page, pictures: Pictures) -> str:
+    """The note with all of the living page behind its text; `pictures`: the figures by their anchors."""
+    script = _read("js")
+    allowed = b64encode(sha256(script.encode()).digest()).decode()
+    text = text.replace("default-src 'none';", f"default-src 'none'; script-src 'sha256-{allowed}';", 1)
+    body, end, rest = text.rpartition("</body>")
+    data = as_json(known(results, page, pictures, set(map(unescape, _KEY.findall(text)))))
+    block = (
+        f"<style>\n{_read('css')}</style>\n"
+        f'<script type="application/json" id="living">{data}</script>\n<script>{script}</script>\n'
+    )
+    return f"{body}{block}{end}{rest}"
+
+
+def known(results: Results, page: Page, pictures: Pictures, shown: Container[str] = ()) -> dict[str, Any]:
+    """What the script knows; `shown`: the keys of the numbers on the page. Nothing moves without a lever mechanism."""
+    found: dict[str, Any] = {
+        "words": words(page.tr),
+        "decimal": page.tr.decimal,
+        "told": told(results, page, shown),
+    }
+    if (cycle := cycle_of(results)) is None:
+        return found
+    mechanism = moving(results, cycle, page)
+    drawn = {f"{letter}_{point}" for point in mechanism["points"] for letter in "va"}
+    drawn |= {key for key, *_ in mechanism["forces"]}
+    return found | {
+        "cycle": cycle.said(page.tr, shown, drawn),
+        "mechanism": mechanism,
+        "plans": polygons(pictures, cycle),
+        "charts": cursors(pictures, cycle, page.tr),
+    }
+
+
+def as_json(data: Any) -> str:
+    """Text that cannot end its element: no name of a variant may (HTML Standard, 4.12.1.3)."""
+    text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+
+
+@cache
+def _read(kind: str) -> str:
+    folder = data_root() / "templates" / "living"
+    names = [f"{name}.js" for name in SCRIPTS] if kind == "js" else ["living.css"]
+    return "".join((folder / name).read_text("utf-8") for name in names)
+
+
+__all__ = ["Cycle", "added", "as_json", "known"]

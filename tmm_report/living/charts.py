@@ -1,0 +1,71 @@
+"""Diagrams over the cycle as the script goes along them: where the cursor is, and the values of the curves there."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from tmm_report.figures.charts.graphs import Curve, Graph
+from tmm_report.figures.drawing import Drawing
+from tmm_report.figures.lettering import Label, Parts, Symbol
+from tmm_report.i18n import Translator
+from tmm_report.living.cycle import Cycle, numbers
+from tmm_report.quantity.text import unit_text
+
+Array = Any
+DIGITS = 5
+NEAR = 1e-6  # degrees
+
+
+def cursors(pictures: Mapping[str, Drawing | Graph], cycle: Cycle, tr: Translator) -> dict[str, Any]:
+    found = {}
+    for anchor, picture in pictures.items():
+        if isinstance(picture, Graph) and over_the_cycle(picture, cycle):
+            found[anchor] = _cursor(picture, cycle, tr)
+    return found
+
+
+def over_the_cycle(graph: Graph, cycle: Cycle) -> bool:
+    """Whether a diagram's axis is the angle turned, from the first position to the last."""
+    label = graph.xlabel
+    along = isinstance(label, Label) and label.of.base == "phi" and label.unit == "deg"
+    ends = np.degrees(cycle.turned[[0, -1]])
+    return along and bool(np.all(np.abs(ends - (graph.x[0], graph.x[-1])) <= NEAR))
+
+
+def _cursor(graph: Graph, cycle: Cycle, tr: Translator) -> dict[str, Any]:
+    first = graph.panels[0]
+    panels = [
+        {
+            "box": [round(x, 3) for x in (panel.bottom, panel.top, *panel.y)],
+            "sign": _plain(label),
+            "unit": unit_text(label.unit, tr.language) if isinstance(label, Label) else "",
+            "curves": [_curve(curve, graph.x, cycle) for curve, _ in graph.of(k)],
+        }
+        for k, (panel, label) in enumerate(zip(graph.panels, graph.ylabels, strict=True))
+    ]
+    return {"left": round(first.left, 3), "right": round(first.right, 3), "panels": panels}
+
+
+def _curve(curve: Curve, x: Array, cycle: Cycle) -> dict[str, Any]:
+    """A curve has the positions among its points; at a jump it has what stands for the position."""
+    at = np.degrees(cycle.turned)
+    order = np.argsort(x, kind="stable")
+    return {
+        "name": _plain(curve.name),
+        "values": numbers(np.interp(at, x[order], curve.values[order]), DIGITS),
+    }
+
+
+def _plain(label: Parts | str) -> str:
+    """A label as text; of an axis without its unit."""
+    parts = (label,) if isinstance(label, str) else tuple(label)
+    if isinstance(label, Label) and label.unit and len(parts) > 1:
+        parts = parts[:-1]
+    return "".join(p if isinstance(p, str) else _sign(p) for p in parts)
+
+
+def _sign(part: Symbol) -> str:
+    return part.base + part.sub + part.sup

@@ -1,0 +1,133 @@
+"""The positions of the note as the script has them: those of the tables and of the diagrams in one row, and the columns
+of all tables over these."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Mapping
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
+from tmm_report.chapters.lever.kinetostatics.quantities.positions import reaction
+from tmm_report.course import Results
+from tmm_report.i18n import Translator
+from tmm_report.quantity.model import Column, Table
+from tmm_report.quantity.text import unit_text
+from tmm_report.records import dataclass
+from tmm_report.report.plain import Plain
+from tmm_report.results import tables
+
+Array = Any
+DIGITS = 7  # of the largest number of a column: two more than are printed
+SIGHT = 5  # of what is only drawn
+SAME = 1e-9  # rad: nearer angles are one position
+ASIDE = ("position", "phi", "t")
+
+
+@dataclass(frozen=True, eq=False)
+class Cycle:
+    """Positions `turned` (Q,), rad, ascending. `chosen`: their places among those of the table, then of the diagram;
+    `numbered`: the place in `turned` of each table position; `pairs`: tables over both, by their common name."""
+
+    kinematics: Kinematics
+    turned: Array
+    chosen: Array
+    numbered: Array
+    pairs: Mapping[str, tuple[Table, Table]]
+
+    def merged(self, of_table: Array, of_diagram: Array) -> Array:
+        """Values of the table and of the diagram positions, (..., Q)."""
+        return np.concatenate([of_table, of_diagram], axis=-1)[..., self.chosen]
+
+    @cached_property
+    def vectors(self) -> dict[str, Array]:
+        """Key -> complex (Q,), SI, of all vectors in the results, and of reactions turned round."""
+        found: dict[str, Array] = {}
+        for one, other in self.pairs.values():
+            for key in (column.key for column in one.columns):
+                if key in one and f"{key}_x" in one and f"{key}_y" in one and f"{key}_x" in other:
+                    x, y = (
+                        self.merged(one[k].numbers(), other[k].numbers()) for k in (f"{key}_x", f"{key}_y")
+                    )
+                    found[key] = x + 1j * y
+        links = list(self.kinematics.linkage.mechanism.links)
+        for by in links:
+            for on in links:
+                if (turned := reaction(on, by).key) in found:
+                    found.setdefault(reaction(by, on).key, -found[turned])
+        return found
+
+    def said(self, tr: Translator, shown: Container[str], drawn: Container[str]) -> dict[str, Any]:
+        """For the script: columns whose keys are `shown` on the page, and the vectors that are `drawn`."""
+        closed = bool(self.kinematics.cycle.closed)
+        return {
+            "at": numbers(np.degrees(self.turned)),
+            "numbered": self.numbered.tolist(),
+            "closed": closed,
+            "columns": {
+                name: [
+                    self._column(column, other[column.key], tr)
+                    for column in one.columns
+                    if column.key in shown and column.key not in ASIDE and column.key in other and not _is_text(column)
+                    and not (column.key[-2:] in ("_x", "_y") and column.key[:-2] in self.vectors)
+                ]
+                for name, (one, other) in self.pairs.items()
+            },
+            "vectors": {
+                key: [numbers(one.real, SIGHT), numbers(one.imag, SIGHT)]
+                for key, one in self.vectors.items() if key in drawn
+            },
+        }  # fmt: skip
+
+    def _column(self, one: Column, other: Column, tr: Translator) -> dict[str, Any]:
+        unit = one.quantity.printed
+        sign = Plain(tr).symbol(one.quantity.symbol) if one.quantity.symbol is not None else one.key
+        values = numbers(self.merged(one.numbers(unit), other.numbers(unit)))
+        return {"key": one.key, "sign": sign, "unit": unit_text(unit, tr.language), "values": values}
+
+
+def _is_text(column: Column) -> bool:
+    return len(column.values) > 0 and isinstance(column.values[0], str)
+
+
+def numbers(values: Array, digits: int = DIGITS) -> list[float | None]:
+    """To so many digits of the largest of them; what is not there is null."""
+    values = np.asarray(values, dtype=float)
+    there = np.isfinite(values)
+    largest = float(np.max(np.abs(values), initial=0.0, where=there))
+    places = digits - 1 - int(np.floor(np.log10(largest))) if largest > 0 else 0
+    rounded = np.round(np.where(there, values, 0.0), min(max(places, 0), 15)) + 0.0
+    whole = (int(x) if x == int(x) else x for x in rounded.tolist())
+    return [x if ok else None for x, ok in zip(whole, there.tolist(), strict=True)]
+
+
+def places(values: Array, digits: int) -> list[float | None]:
+    """Rounded to so many decimals."""
+    values = np.asarray(values, dtype=float)
+    there = np.isfinite(values)
+    rounded = (np.round(np.where(there, values, 0.0), digits) + 0.0).tolist()
+    return [x if ok else None for x, ok in zip(rounded, there.tolist(), strict=True)]
+
+
+def cycle_of(results: Results) -> Cycle | None:
+    """None of a variant without a lever mechanism."""
+    if results.lever is None:
+        return None
+    found = results.lever.kinematics
+    every = np.concatenate([found.turned, found.diagram_turned])
+    order = np.argsort(every, kind="stable")
+    apart = np.diff(every[order], prepend=-1.0) > SAME
+    chosen = order[apart]
+    turned = every[chosen]
+    numbered = np.searchsorted(turned, found.turned - SAME)
+    sizes = len(found.turned), len(found.diagram_turned)
+    by_name = {table.name: table for table in tables(results)}
+    pairs = {
+        name.removesuffix("_table"): (table, other)
+        for name, table in by_name.items()
+        if name.endswith("_table") and (other := by_name.get(name.removesuffix("_table") + "_diagram")) is not None
+        and (len(table), len(other)) == sizes
+    }  # fmt: skip
+    return Cycle(found, turned, chosen, numbered, pairs)

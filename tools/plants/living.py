@@ -1,0 +1,29 @@
+"""Wrong outputs of the living page, to be planted."""
+
+from __future__ import annotations
+
+from faults import Fault
+
+LIVING, SCRIPT = "tmm_report/living/", "templates/living/"
+DATA, SEEN = ("tests/living/test_living_data.py",), ("tests/living/test_living_page.py",)
+
+FAULTS = (
+    Fault("links go between positions without their accelerations", LIVING + "mechanism.py",
+          "a0 * h**2 / 2", "0 * a0 * h**2 / 2", "compressor", DATA),
+    Fault("the script goes between positions by the places alone", SCRIPT + "mechanism.js",
+          "const c3 = 10 * rise - 6 * first", "const c3 = 10 * rise - 5 * first", "compressor", SEEN),
+    Fault("the numbered positions are those of the diagram", LIVING + "cycle.py",
+          "np.searchsorted(turned, found.turned - SAME)", "np.arange(len(found.turned))", "compressor", DATA),
+    Fault("a vertex of a plan goes against its vector", LIVING + "plans.py",
+          "reached[edge.end] = start + way", "reached[edge.end] = start - way", "compressor", DATA),
+    Fault("a name ends the block of data", LIVING + "__init__.py",
+          '.replace("<", "\\\\u003c")', "", "compressor", DATA),
+    Fault("the script is not the one that the policy allows", LIVING + "__init__.py",
+          "<script>{script}</script>", "<script>\\n{script}</script>", "compressor", DATA + SEEN),
+    Fault("the crank stops where it is let go, not in the position", SCRIPT + "stage.js",
+          "const SNAP = 0.12;", "const SNAP = 0;", "compressor", SEEN),
+    Fault("print has the plan of another position", SCRIPT + "figures.js",
+          'addEventListener("beforeprint", () => restore(document.body));', "", "compressor", SEEN),
+    Fault("a copied table keeps the long minus", SCRIPT + "tables.js",
+          'said.replace("\\u2212", "-")', "said", "compressor", SEEN),
+)  # fmt: skip
