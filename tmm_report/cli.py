@@ -151,23 +151,75 @@ def solve(
 
 
 @app.command()
-def schema() -> None:
+def schema(
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "-o", "--output", help="Write it to a file; by default it is printed.", show_default=False
+        ),
+    ] = None,
+    lang: Language = None,
+) -> None:
     """Print the JSON Schema of the variant format, for editors that complete and check YAML."""
-    from tmm_report.commands.schema import text
+    with console_of(lang) as console:
+        from tmm_report.commands.schema import run, text
 
-    typer.echo(text())
+        if output is None:
+            typer.echo(text())
+            return
+        done = run(output, console)
+    ended(done)
 
 
 @app.command()
 def new(
-    file: Annotated[Path, typer.Argument(help="Where to write it.")] = Path("variant.yaml"),
+    file: Annotated[
+        Path | None, typer.Argument(help="Where to write it; by default variant.yaml.", show_default=False)
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="The same.", show_default=False)
+    ] = None,
+    like: Annotated[
+        str | None,
+        typer.Option("--like", help="A ready variant to begin with: see examples.", show_default=False),
+    ] = None,
+    kind: Annotated[
+        str | None, typer.Option("--kind", help="lever, cam, drive or flywheel.", show_default=False)
+    ] = None,
     lang: Language = None,
 ) -> None:
     """Write a commented starting variant. An existing file is not overwritten."""
     with console_of(lang) as console:
-        from tmm_report.commands.new import run
+        from tmm_report.commands.new import place, run
 
-        done = run(file, console.language, console)
+        done = run(place(file, output, like), console.language, console, like, kind, lang)
+    ended(done)
+
+
+@app.command()
+def examples(
+    names: Annotated[
+        list[str] | None,
+        typer.Argument(help="Names of ready variants; by default all of them.", show_default=False),
+    ] = None,
+    kind: Annotated[
+        str | None,
+        typer.Option(
+            "--kind", help="lever, cam, drive, flywheel, or the name of a block.", show_default=False
+        ),
+    ] = None,
+    open_page: Annotated[bool, typer.Option("--open", help="Draw their schemes in the browser.")] = False,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="Write the page with their schemes there.", show_default=False),
+    ] = None,
+    lang: Language = None,
+) -> None:
+    """List the ready variants, a line each; new --like begins with one of them."""
+    with console_of(lang) as console:
+        from tmm_report.commands.examples import run
+
+        done = run(names or [], kind, output, open_page, console, console.language)
     ended(done)
 
 

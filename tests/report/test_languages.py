@@ -190,7 +190,7 @@ def test_a_row_and_files_make_a_language(tmp_path):
         env = {"PYTHONPATH": str(tmp_path), "PATH": "", "LANG": "qaa_XX.UTF-8", "PYTHONUTF8": "1"}
         return subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, encoding="utf-8")
 
-    assert run("new", "my.yaml", "--lang", "qaa").stdout == "записано: my.yaml\n"
+    assert run("new", "my.yaml", "--lang", "qaa").stdout == "записано: my.yaml, variant.schema.json\n"
     done = run("solve", "my.yaml", "--format", "html,tex")
     assert done.returncode == 0 and "записано: " in done.stdout, done.stderr
     note = (tmp_path / "my-note" / "note.html").read_text("utf-8")

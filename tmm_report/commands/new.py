@@ -1,17 +1,63 @@
-"""`tmm-report new`: a commented starting variant."""
+"""`tmm-report new`: a commented starting variant of a kind, or a ready one to change; beside it the editors' schema."""
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
 from pathlib import Path
 
-from tmm_report.commands.talk import Talk, failure, written
-from tmm_report.problems import N_
+from tmm_report.commands.examples import KINDS, named, ready
+from tmm_report.commands.talk import Talk, failure, reason, written
+from tmm_report.problems import N_, Message, shown
 from tmm_report.variant import new
 
+SCHEMA = "variant.schema.json"
+FIRST = f"# yaml-language-server: $schema={SCHEMA}\n"
+_LANGUAGE = re.compile(r"^language:[ ]*\w+", re.M)
+FIRST_KIND = next(iter(KINDS))
 
-def run(file: Path, language: str, talk: Talk) -> bool:
-    """Write it where there is no file yet. Raises ProblemError."""
-    text = new(language)
+
+def run(
+    file: Path,
+    language: str,
+    talk: Talk,
+    like: str | None = None,
+    kind: str | None = None,
+    lang: str | None = None,
+) -> bool:
+    """Write it where there is no file yet. `like`: the ready variant that is copied; `lang`: the language that the copy
+    shall have in place of its own. Raises ProblemError."""
+    if like is not None and kind is not None:
+        raise failure(N_("--like and --kind: name one of them"))
+    if kind is not None and kind not in KINDS:
+        raise failure(
+            N_("--kind: unknown %(words)s; known: %(known)s"), words=shown(kind), known=", ".join(KINDS)
+        )
+    text = new(language, kind or FIRST_KIND) if like is None else _copy(like, lang)
+    _made(file, FIRST + text)
+    beside = _schema_beside(file, talk)
+    talk.tell(written(*([file, beside] if beside else [file])))
+    return True
+
+
+def place(file: Path | None, output: Path | None, like: str | None) -> Path:
+    """Where it is written: as it is named, once; by default as the variant it is a copy of. Raises ProblemError."""
+    if file is not None and output is not None:
+        raise failure(N_("%(file)s and -o: name the file once"), file=shown(file, 200))
+    stated = file or output
+    if stated is not None:
+        return stated
+    return Path("variant.yaml" if like is None else named(ready(), like).file.name)
+
+
+def _copy(like: str, lang: str | None) -> str:
+    """The text of a ready variant. Raises ProblemError."""
+    text = named(ready(), like).file.read_text("utf-8")
+    return text if lang is None else _LANGUAGE.sub(f"language: {lang}", text, count=1)
+
+
+def _made(file: Path, text: str) -> None:
+    """Write a file that there is not yet. Raises ProblemError."""
     try:
         with file.open("x", encoding="utf-8", newline="\n") as stream:
             stream.write(text)
@@ -19,5 +65,39 @@ def run(file: Path, language: str, talk: Talk) -> bool:
         raise failure(N_("%(file)s exists already; choose another name"), file=file) from None
     except OSError as error:
         raise failure("%(file)s: %(reason)s", file=file, reason=error.strerror) from None
-    talk.tell(written(file))
+
+
+def _schema_beside(file: Path, talk: Talk) -> Path | None:
+    """The schema that the file's first line names: written beside it, or there already."""
+    from tmm_report.commands.schema import text
+
+    place = file.parent / SCHEMA
+    return place if kept(place, text, talk) else None
+
+
+def kept(place: Path, text: Callable[[], str], talk: Talk) -> bool:
+    """Write a schema where there is none, or an older one of ours; whether it was written. What somebody else made is
+    left, and so said."""
+    from tmm_report.commands.files import write
+
+    try:
+        if place.is_symlink() or (place.exists() and not _is_ours(place)):
+            talk.warn(
+                Message(N_("%(file)s is not a schema of this program: it is left as it is"), {"file": place})
+            )
+            return False
+        write(place.parent, {place.name: text().encode() + b"\n"})
+    except OSError as error:
+        talk.warn(Message("%(file)s: %(reason)s", {"file": place, "reason": reason(error)}))
+        return False
     return True
+
+
+def _is_ours(place: Path) -> bool:
+    """Whether a file begins as the schemas that this program writes."""
+    from tmm_report.commands.schema import BEGINS
+
+    if not place.is_file():
+        return False
+    with place.open("rb") as stream:
+        return stream.read(len(BEGINS)) == BEGINS.encode()

@@ -44,7 +44,8 @@ def failed(error: ProblemError, variant: Placed) -> ProblemError:
     return ProblemError([*found, *variant.doubts], variant.language)
 
 
-def new(language: str) -> str:
-    """A commented starting variant in the language. Raises ProblemError for a language that there is not."""
-    code = languages.language(language).code
-    return (data_root() / "templates" / "new" / f"{code}.yaml").read_text("utf-8")
+def new(language: str, kind: str = "lever") -> str:
+    """A commented starting variant of a kind in the language. Raises ProblemError for a language that there is not."""
+    code, templates = languages.language(language).code, data_root() / "templates"
+    folder = templates / "new" if kind == "lever" else templates / "kinds" / kind
+    return (folder / f"{code}.yaml").read_text("utf-8")

@@ -120,6 +120,16 @@ def _on_white(drawing: Drawing) -> Drawing:
     return replace(drawing, items=(polygon(corners, None, "white"), *drawing.items), margin=0.0)
 
 
+def schemes(entries: Sequence[tuple[str, str, Entry]], tr: Translator) -> bytes:
+    """A page of HTML with the scheme of each: its name, what it is about, what was found of it."""
+    form = Page(Html(), tr, Numbering())
+    shown = [
+        {"name": name, "topic": topic, "drawing": Markup(b"".join(picture(one, tr).values()).decode())}
+        for name, topic, one in entries
+    ]
+    return template("examples.html.j2").render({"page": form, "t": form.t}, examples=shown).encode()
+
+
 def page(entries: Sequence[Entry], folder: Path, tr: Translator) -> bytes:
     """The page that stands in `folder`."""
     form = Page(Markdown(), tr, Numbering())
