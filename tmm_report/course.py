@@ -26,6 +26,7 @@ from tmm_report.mechanics.lever.mechanism import Mechanism
 from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.profiles import Profile
 from tmm_report.records import dataclass
+from tmm_report.yamlread import Document
 
 if TYPE_CHECKING:
     from tmm_report.chapters.cams.cam import solve as cam
@@ -164,6 +165,13 @@ class Variant:
     file: str = ""
     doubts: tuple[Problem, ...] = ()
     """What looks odd in the file, with its places."""
+    document: Document | None = field(default=None, repr=False)
+    """What the file states, as it was read."""
+
+    def __repr__(self) -> str:
+        name = " ".join(str(self.title.topic or self.file).split())
+        stated = [one for one in ("lever", *OTHERS) if getattr(self, one) is not None]
+        return f"<Variant {name!r}: {', '.join(stated)}>"
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from tmm_report import yamlread
 from tmm_report.course import BESIDE, LEVER, LeverGiven, Variant, gears_unsolvable, lever_unsolvable, room
 from tmm_report.languages import stated_in
-from tmm_report.problems import Problem, ProblemError
+from tmm_report.problems import N_, Problem, ProblemError, mistake, shown
 from tmm_report.variant.department import Department, beside, read, under
 
 if TYPE_CHECKING:
@@ -44,6 +44,46 @@ def loads(text: str | bytes, file: str = "", department: Department | None = Non
     except ProblemError as error:
         language = stated_in(text) or stated_in(department.text if department else "")
         raise ProblemError(error.problems, language) from None
+
+
+def of_document(document: yamlread.Document, file: str = "") -> Variant:
+    """The variant of data that no file states. Raises ProblemError."""
+    soft: list[Problem] = []
+    return _variant(document, file, soft)
+
+
+def path_of(variant: Variant, name: str) -> yamlread.Path:
+    """The path of a key that a variant states: "mechanism.driver.speed"; items of lists by their numbers. Raises
+    ProblemError."""
+    inside: Any = variant.document.data if variant.document is not None else {}
+    path: yamlread.Path = ()
+    for part in name.split("."):
+        key: str | int = part
+        if isinstance(inside, list) and part.isdecimal():
+            key = int(part)
+        known = range(len(inside)) if isinstance(inside, list) else inside if isinstance(inside, dict) else ()
+        if key not in known:
+            from tmm_report.variant.errors import near
+
+            text = N_("there is no %(part)s in %(key)s") if path else N_("there is no %(part)s in the file")
+            told = {"part": shown(part), "key": ".".join(map(str, path))}
+            raise ProblemError([mistake(text, (), near(part, [str(one) for one in known]), **told)])
+        inside, path = inside[key], (*path, key)
+    return path
+
+
+def restated(variant: Variant, values: Mapping[yamlread.Path, object]) -> Variant:
+    """The variant with other values at some paths. Raises ProblemError for one that may not stand there."""
+    from tmm_report.chapters.find.given import put  # only many variants of one file need it
+
+    document = variant.document or yamlread.Document({})
+    data = document.data
+    for path, value in values.items():
+        data = put(data, path, value)
+    changed = [path for path in document.raw if any(path[: len(one)] == one for one in values)]
+    raw = {path: text for path, text in document.raw.items() if path not in changed}
+    made = _variant(replace(document, data=data, raw=raw), variant.file, [])
+    return replace(made, template=variant.template)
 
 
 def _sound(department: Department) -> yamlread.Document:
@@ -88,6 +128,7 @@ def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Var
         places=document.places,
         file=file,
         doubts=found.doubts,
+        document=document,
     )
     if (asked := made.find) is not None:
         made = replace(made, find=replace(asked, restated=partial(_restated, document, file, asked)))

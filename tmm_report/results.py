@@ -36,6 +36,16 @@ def values(results: Results) -> list[Value]:
     return [value for quantities, found in _rooms(results) for value in quantities.values(found)]
 
 
+def sought(results: Results) -> Iterator[Value]:
+    """The few numbers that a reader looks for first: stroke, time ratio, greatest velocity and moment, flywheel …"""
+    for quantities, found in _rooms(results):
+        if hasattr(quantities, "sought"):
+            yield from quantities.sought(found)
+        elif hasattr(quantities, "SOUGHT"):
+            by_key = {value.key: value for value in quantities.values(found)}
+            yield from (by_key[key] for key in quantities.SOUGHT if key in by_key)
+
+
 def listings(results: Results, say: Callable[[str], str]) -> Iterator[tuple[str, list[str]]]:
     """Name and lines of what is too long for the note and for the tables: all that a search has judged."""
     for quantities, found in _rooms(results):

@@ -37,6 +37,7 @@ import faults_words  # noqa: E402
 from faults import Fault  # noqa: E402
 from plants import cams as faults_cams  # noqa: E402
 from plants import gears as faults_gears  # noqa: E402
+from plants import interactive as faults_interactive  # noqa: E402
 from plants import lint as faults_lint  # noqa: E402
 from plants import living as faults_living  # noqa: E402
 from plants import note as faults_depth  # noqa: E402
@@ -51,6 +52,7 @@ FAULTS = (
     *faults_note.FAULTS,
     *faults_depth.FAULTS,
     *faults_paper.FAULTS,
+    *faults_interactive.FAULTS,
     *faults_lint.FAULTS,
     *faults_living.FAULTS,
     *faults_gears.FAULTS,

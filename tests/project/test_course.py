@@ -16,7 +16,7 @@ from tmm_report.variant.model import Block
 
 RECORDS = {"title": course.Variant, **dict.fromkeys(course.LEVER, course.LeverGiven)}
 RECORDS |= dict.fromkeys(course.BESIDE, course.Variant)
-OWN = ("lever", "places", "file", "doubts", "template")  # of the variant itself
+OWN = ("document", "lever", "places", "file", "doubts", "template")  # of the variant itself
 
 
 def types(record) -> dict[str, object]:

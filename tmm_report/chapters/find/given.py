@@ -41,7 +41,7 @@ class Unknown:
 
     def put(self, data: Any, number: float) -> Any:
         """The data of a file with the number in the place of the unknown."""
-        return _put(data, self.path, self.written(number))
+        return put(data, self.path, self.written(number))
 
 
 @dataclass(frozen=True)
@@ -98,11 +98,11 @@ class Given:
         return data
 
 
-def _put(data: Any, path: Path, value: object) -> Any:
+def put(data: Any, path: Path, value: object) -> Any:
     """Data with another value at a path; what does not lie on the way is shared."""
     if not path:
         return value
     key, *rest = path
     if isinstance(data, list):
-        return [_put(item, tuple(rest), value) if k == key else item for k, item in enumerate(data)]
-    return {**data, key: _put(data[key], tuple(rest), value)}
+        return [put(item, tuple(rest), value) if k == key else item for k, item in enumerate(data)]
+    return {**data, key: put(data[key], tuple(rest), value)}

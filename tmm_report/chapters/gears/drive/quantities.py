@@ -25,6 +25,8 @@ from tmm_report.quantity.sheet import Row, columns
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
+SOUGHT = ("drive_u", "drive_delta_u", "drive_eta")  # what is looked for first
+
 EXTERNAL = NP_("index", "ext")
 STAGES = Message(N_("stages of the drive in the order of the power"))
 SPEEDS = Message(N_("angular velocities of the members of the drive"))

@@ -26,7 +26,7 @@ from tmm_report.chapters.lever.kinematics.solve.points_and_links import rates as
 from tmm_report.chapters.lever.kinematics.solve.points_and_links import where as where
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics, Output, Travel
 from tmm_report.chapters.lever.kinematics.solve.swings import first
-from tmm_report.mechanics.lever.cycle import Extreme
+from tmm_report.mechanics.lever.cycle import Extreme, larger
 from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.mechanics.lever.vector_equations import moving_points, named_values, turning_links
 from tmm_report.problems import N_, Message
@@ -255,6 +255,17 @@ def _of_travel(travel: Travel) -> Iterator[Value]:
         yield Quantity(f"K_{name}", Symbol("K", name), "", ratio).value(travel.time_ratio)
     for ends in extremes(travel):
         yield from ends
+
+
+def sought(found: Kinematics) -> Iterator[Value]:
+    """Of each output stroke or swing, time ratio and greatest speed; where it moves over the whole cycle."""
+    for travel in () if found.gaps else found.travels:
+        by_key = {value.key: value for value in _of_travel(travel)}
+        name, fastest = travel.output.name, larger(travel.V_extremes)
+        yield from (by_key[key] for key in (f"H_{name}", f"K_{name}") if key in by_key)
+        _, speed, _ = motion_of(travel.output)
+        meaning = Message(N_("greatest velocity of %(name)s by size"), {"name": name})
+        yield replace(speed, key=f"V_{name}_most", meaning=meaning).value(abs(fastest.value), fastest.turned)
 
 
 def stroke(travel: Travel) -> Value:

@@ -18,6 +18,13 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Table, Value, text_column
 from tmm_report.quantity.tabulated import tabulated
 
+SOUGHT = (
+    "dynamics_omega_m",
+    "dynamics_delta",
+    "dynamics_t_start",
+    "dynamics_t_coast",
+)  # what is looked for first
+
 Array = Any
 WORKED = {
     "A_dr": "motor",

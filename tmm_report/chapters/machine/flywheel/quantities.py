@@ -12,6 +12,8 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Table, Value, text_column
 from tmm_report.quantity.tabulated import tabulated
 
+SOUGHT = ("flywheel_delta", "flywheel_J_fl", "flywheel_m", "flywheel_D")  # what is looked for first
+
 Array = Any
 
 CYCLE = Message(N_("moments, work, moments of inertia, energies and speeds over the cycle of the machine"))

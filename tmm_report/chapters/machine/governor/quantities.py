@@ -23,6 +23,13 @@ from tmm_report.quantity.sheet import Q
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
+SOUGHT = (
+    "governor_delta",
+    "governor_effort",
+    "governor_omega_0",
+    "governor_omega_h",
+)  # what is looked for first
+
 if TYPE_CHECKING:
     from tmm_report.chapters.machine.governor.solve.brake import BrakeFound
     from tmm_report.chapters.machine.governor.solve.by_itself import DirectFound

@@ -29,6 +29,7 @@ from tmm_report.chapters.lever.kinetostatics.quantities.strokes import strokes_t
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import loaded_link
 from tmm_report.chapters.lever.kinetostatics.ties import End, Twist, apart
 from tmm_report.mechanics.lever.assur_groups import Pair
+from tmm_report.mechanics.lever.cycle import larger
 from tmm_report.mechanics.lever.forces.reactions import Reaction
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, kept, text_column
@@ -403,6 +404,16 @@ def values(found: Kinetostatics) -> Iterator[Value]:
     yield replace(LEVER_MISS, meaning=worst).value(found.worst_lever)
     worst = Message(N_("worst relative disagreement of the power balance"))
     yield replace(POWER_MISS, meaning=worst).value(found.worst_power)
+
+
+def sought(found: Kinetostatics) -> Iterator[Value]:
+    """The greatest balancing moment; where a stroke drives, the greatest force along it."""
+    if found.kinematics.stroke is None and found.bounded:
+        most, meaning = larger(found.extremes), Message(N_("greatest balancing moment by size"))
+        yield Quantity("M_bal_most", M_BAL, "N·m", meaning).value(abs(most.value), most.turned)
+    elif found.kinematics.stroke is not None:
+        least, greatest = stroke_quantities.values(found)
+        yield max(least, greatest, key=lambda one: abs(one.value))
 
 
 def extremes(found: Kinetostatics) -> tuple[Value, Value]:
