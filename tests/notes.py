@@ -5,12 +5,14 @@ from __future__ import annotations
 import os
 import shutil
 from pathlib import Path
+from typing import NoReturn
 
 import pytest
 from conftest import ALL_FILES, read, solved
 from once import once
 
 from tmm_report import render as of_depth
+from tmm_report.commands.files import for_typst
 from tmm_report.course import Results
 
 VARIANTS = Path(__file__).parent.parent / "variants"
@@ -19,6 +21,8 @@ NAMES = sorted(path.stem for path in ALL_FILES)
 
 def render(results: Results, fmt: str = "html", language: str | None = None) -> dict[str, bytes]:
     """The note that says all, or the numbers: what a shorter one leaves out is judged, too."""
+    if fmt == "typst":
+        return {"note.typst": for_typst(results, language, "full")}
     return of_depth(results, fmt, language, "full")
 
 
@@ -43,8 +47,12 @@ def program(*names: str) -> str:
     """Path of the first of these programs that is installed; without one the test is skipped, but never in CI."""
     found = next((path for path in map(shutil.which, names) if path), None)
     if found is None:
-        reason = f"none of {', '.join(names)} is installed"
-        if os.environ.get("CI"):
-            pytest.fail(reason)
-        pytest.skip(reason)
+        absent(f"none of {', '.join(names)} is installed")
     return found
+
+
+def absent(reason: str) -> NoReturn:
+    """Something that a test needs is not there: it is skipped, but never in CI."""
+    if os.environ.get("CI"):
+        pytest.fail(reason)
+    pytest.skip(reason)

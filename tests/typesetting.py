@@ -1,4 +1,4 @@
-"""Notes as pdflatex sets them: the log and the PDF."""
+"""Notes as pdflatex sets them, the log and the PDF; and as Typst does, the PDF."""
 
 from __future__ import annotations
 
@@ -8,9 +8,11 @@ import subprocess
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from notes import note, program
+from notes import absent, note, program
 from once import once
 
+from tmm_report.commands.by_typst import NoTypst
+from tmm_report.commands.by_typst import typeset as typeset_by_typst
 from tmm_report.commands.pdf import bare, write
 
 TIMELESS = {"SOURCE_DATE_EPOCH": "0", "FORCE_SOURCE_DATE": "1"}
@@ -37,3 +39,17 @@ def set_by_tex(files: dict[str, bytes], whole: bool = False) -> tuple[str, bytes
         # the log breaks lines at 79 bytes
         log = (folder / "note.log").read_text(encoding="utf-8", errors="replace")
         return re.sub(r"(?<=[^\n]{79})\n", "", log), (folder / "note.pdf").read_bytes()
+
+
+@once
+def by_typst(name: str, language: str) -> bytes:
+    """The PDF."""
+    return set_by_typst(note(name, "typst", language)["note.typst"])
+
+
+def set_by_typst(source: bytes) -> bytes:
+    """The PDF of Typst's wheel, without which the test is skipped, but never in CI."""
+    try:
+        return typeset_by_typst(source)
+    except NoTypst:
+        absent("the wheel typst is not installed")

@@ -17,7 +17,7 @@ import typer
 
 from tmm_report import languages
 from tmm_report.problems import N_, Message
-from tmm_report.terminal import Console, console_of, ended, users_language
+from tmm_report.terminal import Console, PdfMayStandAlone, console_of, ended, users_language
 
 if TYPE_CHECKING:
     from tmm_report.commands.streams import Careful
@@ -101,7 +101,7 @@ def program(
     """Options of the program itself."""
 
 
-@app.command()
+@app.command(cls=PdfMayStandAlone)
 def solve(
     variant: VariantFile,
     output: Annotated[Path | None, typer.Option("-o", "--output", help="Folder for the note.")] = None,
@@ -119,8 +119,15 @@ def solve(
         ),
     ] = False,
     pdf: Annotated[
-        bool, typer.Option("--pdf", help="Also compile note.tex to note.pdf with pdflatex.")
-    ] = False,
+        str | None,
+        typer.Option(
+            "--pdf",
+            help="Also make note.pdf: with pdflatex, or with Typst where that is not installed; "
+            "--pdf tex, --pdf typst: with this one.",
+            metavar="[tex|typst]",
+            show_default=False,
+        ),
+    ] = None,
     print_: Annotated[
         bool,
         typer.Option(

@@ -10,8 +10,10 @@ import unicodedata
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from typing import Any
 
 import typer
+from typer.core import TyperCommand
 
 from tmm_report import languages
 from tmm_report.problems import N_, Message, Problem, ProblemError
@@ -125,3 +127,25 @@ def _clean(text: str) -> str:
     return "".join(
         c if not unicodedata.category(c).startswith("C") else "\N{REPLACEMENT CHARACTER}" for c in text
     )
+
+
+# ---------------------------------------------------------------- options
+
+
+class PdfMayStandAlone(TyperCommand):
+    """`--pdf` names the program that makes the PDF, or stands alone before what follows it."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        return super().parse_args(ctx, _with_program(args))
+
+
+def _with_program(args: list[str]) -> list[str]:
+    named, said = list[str](), iter(args)
+    for one in said:
+        if named[-1:] == ["--pdf"]:
+            if one in ("tex", "typst"):
+                named[-1] = f"--pdf={one}"
+                continue
+            named[-1] = "--pdf=any"
+        named.append(one)
+    return [*named[:-1], "--pdf=any"] if named[-1:] == ["--pdf"] else named

@@ -1,9 +1,10 @@
 """Remake the faces of the notes: `python tools/fonts.py FOLDER`, with fonttools and brotli installed.
 
 FOLDER holds LiberationSerif-Regular.ttf, -Bold.ttf and -Italic.ttf 2.1.5 (Debian's package fonts-liberation2).
-Writes the subsets `templates/fonts/NoteSerif-*.woff2` (renamed, for "Liberation" is a reserved font name) and
-`templates/fonts/widths.json`, how far each letter of these faces and of the formulas' one advances; the formulas' face
-loses the shapes for an index of an index, a quarter of it. The same fonts give the same bytes.
+Writes the subsets `templates/fonts/NoteSerif-*.woff2` (renamed, for "Liberation" is a reserved font name), each beside
+it unpacked, as Typst reads it (`.ttf`, `.otf`), and `templates/fonts/widths.json`, how far each letter of these faces
+and of the formulas' one advances; the formulas' face loses the shapes for an index of an index, a quarter of it. The
+same fonts give the same bytes.
 """
 
 from __future__ import annotations
@@ -40,13 +41,20 @@ def main(folder: Path) -> None:
         renamed(font, style)
         font.flavor = "woff2"
         font.save(FONTS / f"NoteSerif-{style}.woff2")
+        unpacked(font, FONTS / f"NoteSerif-{style}.ttf")
         widths[key] = advances(font)
     math = TTFont(FONTS / MATH, recalcTimestamp=False)
     once_smaller(math)
     math.save(FONTS / MATH)
+    unpacked(math, (FONTS / MATH).with_suffix(".otf"))
     widths["math"] = advances(math)
     text = json.dumps(widths, ensure_ascii=False, separators=(",", ":"))
     (FONTS / "widths.json").write_text(text.replace('},"', '},\n"') + "\n", "utf-8")
+
+
+def unpacked(font: TTFont, file: Path) -> None:
+    font.flavor = None
+    font.save(file)
 
 
 def subset(font: TTFont) -> None:

@@ -268,14 +268,6 @@ def test_every_command_and_option_has_help():
 
 
 @pytest.mark.exhaustive
-def test_pdf_without_tex_says_what_to_install(tmp_path, monkeypatch):
-    monkeypatch.setenv("PATH", str(tmp_path))
-    done = run("solve", VARIANTS / "crank_rocker.yaml", "-o", tmp_path / "out", "--format", "html", "--pdf")
-    assert done.exit_code == 1 and "texlive-lang-cyrillic" in done.output and "MiKTeX" in done.output
-    assert (tmp_path / "out" / "note.html").is_file()
-
-
-@pytest.mark.exhaustive
 def test_open_shows_the_note(tmp_path, monkeypatch):
     shown = []
     monkeypatch.setattr("webbrowser.open", shown.append)

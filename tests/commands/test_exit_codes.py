@@ -96,6 +96,7 @@ def test_1_no_pdf(tmp_path, monkeypatch):
         return None
 
     monkeypatch.setattr(pdf.shutil, "which", none)
+    monkeypatch.setitem(sys.modules, "typst", None)
     done = run("solve", ROCKER, "-o", tmp_path, *LIGHT, "--pdf")
     assert done.exit_code == 1 and "no PDF" in done.output and (tmp_path / "results.json").is_file()
 
@@ -105,6 +106,7 @@ def test_1_no_place_for_temporary_files_costs_the_pdf_alone(tmp_path, monkeypatc
     def full(files):
         raise FileNotFoundError(errno.ENOENT, "No usable temporary directory found")
 
+    monkeypatch.setattr(pdf, "found", lambda: "pdflatex")
     monkeypatch.setattr(pdf, "compiled", full)
     done = run("solve", ROCKER, "-o", tmp_path, *LIGHT, "--pdf")
     assert done.exit_code == 1 and "no PDF: No usable temporary directory" in done.output

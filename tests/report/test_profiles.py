@@ -1,4 +1,4 @@
-"""How a note looks by its profile: its pages are read and measured, as the browser prints them and as LaTeX does."""
+"""How a note looks by its profile: its pages are read and measured, as the browser, LaTeX and Typst print them."""
 
 from __future__ import annotations
 
@@ -16,9 +16,10 @@ from conftest import read, solved
 from notes import VARIANTS, program
 from once import once
 from pdf_words import Page, pages
-from typesetting import set_by_tex
+from typesetting import set_by_tex, set_by_typst
 
 from tmm_report import render
+from tmm_report.commands.files import for_typst
 from tmm_report.languages import LANGUAGES
 from tmm_report.loading import loads
 from tmm_report.problems import ProblemError
@@ -38,8 +39,10 @@ OTHERS = {"none": None, "kazakh": stated("kz", {"language": "kk"})}
 @cache
 def note(name: str, fmt: str = "html", language: str = "ru", depth: str = "short") -> dict[str, bytes]:
     results = solved(NAME)
-    variant = replace(results.variant, profile={**PROFILES, **OTHERS}[name])
-    return render(replace(results, variant=variant), fmt, language, depth)
+    results = replace(results, variant=replace(results.variant, profile={**PROFILES, **OTHERS}[name]))
+    if fmt == "typst":
+        return {"note.typst": for_typst(results, language, depth)}
+    return render(results, fmt, language, depth)
 
 
 def html(name: str, language: str = "ru", depth: str = "short") -> str:
@@ -181,6 +184,8 @@ def by_browser() -> dict[str, bytes]:
 
 @cache
 def printed(name: str, fmt: str) -> bytes:
+    if fmt == "typst":
+        return set_by_typst(note(name, "typst")["note.typst"])
     return by_browser()[name] if fmt == "html" else set_by_tex(note(name, "tex"), whole=True)[1]
 
 
@@ -189,7 +194,7 @@ def words(name: str, fmt: str) -> list[Page]:
     return pages(printed(name, fmt))
 
 
-FORMATS = [(name, "html") for name in PROFILES] + [
+FORMATS = [(name, fmt) for fmt in ("html", "typst") for name in PROFILES] + [
     pytest.param(name, "tex", marks=pytest.mark.exhaustive) for name in PROFILES
 ]
 

@@ -51,6 +51,13 @@ def render(
     return make_note(results, fmt, tr, depth)
 
 
+def for_typst(results: Results, language: str | None = None, depth: Depth | None = None) -> bytes:
+    """The note as Typst reads it. Not written beside the others: only the PDF is made of it."""
+    from tmm_report.note import render as make_note
+
+    return make_note(results, "typst", translator(results.variant, language), depth)["note.typst"]
+
+
 def _see_few(results: Results) -> None:
     """A picture takes longer than its drawing in a note. Raises ProblemError."""
     lever = results.lever

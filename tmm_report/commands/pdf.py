@@ -30,15 +30,21 @@ def compiled(files: Mapping[str, bytes]) -> dict[str, bytes]:
     A student's text is escaped already; still pdflatex runs in an empty folder, may neither read nor write outside
     it, has no shell, and is stopped with all its children when its time is up.
     """
-    program = shutil.which("pdflatex")
-    if program is None:
-        raise NoTex
+    program = found()
     with tempfile.TemporaryDirectory() as folder:
         command = [program, "-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", "note.tex"]
         for run in (bare(files), files):  # the second one fills in the page numbers of the contents
             write(run, Path(folder))
             run_alone(command, folder, TexFailed, SHUT)
         return {name: Path(folder, name).read_bytes() for name in ("note.pdf", "note.log")}
+
+
+def found() -> str:
+    """The path of pdflatex. Raises NoTex."""
+    program = shutil.which("pdflatex")
+    if program is None:
+        raise NoTex
+    return program
 
 
 def bare(files: Mapping[str, bytes]) -> dict[str, bytes]:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tmm_report import __version__
 from tmm_report import solve as solve_variant
-from tmm_report.commands.files import FORMATS, combinations, render
+from tmm_report.commands.files import FORMATS, combinations, for_typst, render
 from tmm_report.commands.talk import Talk, failure, reason, unwritable, written
 from tmm_report.commands.whole import Put, put
 from tmm_report.course import DEPTHS, Depth, LeverFound, Results, doubts, sound
@@ -23,6 +23,9 @@ NO_TEX = N_(
     "no PDF: pdflatex is not installed. Windows: install MiKTeX (miktex.org). Debian, Ubuntu: apt install "
     "texlive-latex-recommended texlive-pictures texlive-lang-cyrillic cm-super. macOS: MacTeX"
 )
+NO_TYPST = N_("no PDF: Typst is not installed: pip install 'tmm-report[pdf]', or pip install typst")
+NEITHER = N_("no PDF: neither pdflatex nor Typst is installed; the latter: pip install 'tmm-report[pdf]'")
+ANY, TEX, TYPST = PROGRAMS = ("any", "tex", "typst")  # what makes a PDF; any: TeX where there is one
 
 NO_BROWSER = N_("no print: no Chromium, Chrome or Edge is installed")
 
@@ -36,12 +39,14 @@ def run(
     *,
     depth: str | None = None,
     combinations_too: bool = False,
-    pdf: bool = False,
+    pdf: str | None = None,
     print_it: bool = False,
     open_note: bool = False,
 ) -> bool:
-    """Whether everything asked for was made and every check held. Raises ProblemError."""
+    """Whether everything asked for was made and every check held. `pdf`: one of PROGRAMS. Raises ProblemError."""
     wanted, deep = chosen(formats, open_note), depth_of(depth)
+    if pdf is not None and pdf not in PROGRAMS:
+        raise failure(N_("--pdf: unknown %(words)s; known: %(known)s"), words=pdf, known=f"{TEX}, {TYPST}")
     folder = folder or Path(f"{variant.stem}-note")
     text, file = stated(variant)
     department = beside(variant)
@@ -53,7 +58,7 @@ def run(
     files = _made(results, wanted, language, talk)
     if combinations_too:
         files |= combinations(results, language)
-    no_pdf = _add_pdf(results, language, files, talk) if pdf else []
+    no_pdf = _add_pdf(results, language, files, talk, pdf) if pdf else []
     no_pdf += _add_print(results, language, files, talk) if print_it else []
     changed = _put(folder, files, digest(__version__, text, department.told if department else b""))
     good = summary(results, talk)
@@ -95,22 +100,50 @@ def _made(results: Results, formats: Sequence[str], language: str | None, talk: 
 
 
 def _add_pdf(
-    results: Results, language: str | None, files: dict[str, bytes], talk: Talk
+    results: Results, language: str | None, files: dict[str, bytes], talk: Talk, program: str
 ) -> list[Message | str]:
-    """Add note.pdf and TeX's log to the files; what went wrong, a line each, if it could not be made."""
-    from tmm_report.commands.pdf import NoTex, TexFailed, compiled
+    """Add note.pdf, and TeX's log, to the files; what went wrong, a line each, if it could not be made."""
+    from tmm_report.commands.pdf import NoTex
 
     talk.stage(Message(N_("compiling the PDF")))
+    try:
+        if program != TYPST:
+            try:
+                return _by_tex(results, language, files)
+            except NoTex:
+                if program == TEX:
+                    return [Message(NO_TEX)]
+        return _by_typst(results, language, files, program)
+    except OSError as error:
+        return [Message(N_("no PDF: %(reason)s"), {"reason": reason(error)})]
+
+
+def _by_tex(results: Results, language: str | None, files: dict[str, bytes]) -> list[Message | str]:
+    """Raises NoTex, OSError."""
+    from tmm_report.commands.pdf import TexFailed, compiled, found
+
+    found()  # before a source that nothing else has asked for is written
     source = files if "note.tex" in files else render(results, "tex", language)
     try:
         files |= compiled({name: text for name, text in source.items() if name.endswith(".tex")})
-    except NoTex:
-        return [Message(NO_TEX)]
-    except OSError as error:
-        return [Message(N_("no PDF: %(reason)s"), {"reason": reason(error)})]
     except TexFailed as error:
         said = Message(N_("no PDF: pdflatex stopped. The end of its log:"))
         return [said, *str(error).split("\n")]
+    return []
+
+
+def _by_typst(
+    results: Results, language: str | None, files: dict[str, bytes], program: str
+) -> list[Message | str]:
+    """Raises OSError."""
+    from tmm_report.commands.by_typst import NoTypst, TypstFailed, typeset
+
+    try:
+        files["note.pdf"] = typeset(for_typst(results, language))
+    except NoTypst:
+        return [Message(NO_TYPST if program == TYPST else NEITHER)]
+    except TypstFailed as error:
+        return [Message(N_("no PDF: Typst stopped. It says:")), *str(error).split("\n")]
     return []
 
 

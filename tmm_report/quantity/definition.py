@@ -8,7 +8,7 @@ from dataclasses import fields, replace
 
 from tmm_report.i18n import Translator
 from tmm_report.quantity.formula import Expr, Formula, Page, Var
-from tmm_report.quantity.symbols import Latex, MathML, Symbol, notation
+from tmm_report.quantity.symbols import Notation, Symbol, notation
 from tmm_report.records import dataclass
 
 
@@ -20,12 +20,12 @@ class Definition:
     expression: Expr
 
     def latex(self, tr: Translator) -> str:
-        return self._print(notation("latex", tr))
+        return self.printed(notation("latex", tr))
 
     def mathml(self, tr: Translator) -> str:
-        return self._print(notation("mathml", tr))
+        return self.printed(notation("mathml", tr))
 
-    def _print(self, form: Latex | MathML) -> str:
+    def printed(self, form: Notation) -> str:
         first, *rest = self.expression.terms(Page(form, numbers=False))
         return form.formula([form.symbol(Var(self.result, 0.0).sign) + form.operator("=") + first, *rest])
 

@@ -20,7 +20,7 @@ import numpy as np
 from tmm_report.i18n import NP_, Translator
 from tmm_report.problems import Message
 from tmm_report.quantity.ref import Ref, read_alike
-from tmm_report.quantity.symbols import Latex, MathML, Symbol, math_symbol, notation, segment, with_power
+from tmm_report.quantity.symbols import Notation, Symbol, math_symbol, notation, segment, with_power
 from tmm_report.quantity.text import ZERO, round_significant
 from tmm_report.records import dataclass
 
@@ -40,7 +40,7 @@ class Piece(NamedTuple):
 class Page:
     """Where an expression is printed: the format, as symbols or numbers, which position, how many digits."""
 
-    notation: Latex | MathML
+    notation: Notation
     numbers: bool
     index: int | None = None
     digits: int = 5
@@ -388,12 +388,12 @@ class Formula:
         return float(round_significant(value, self.digits))
 
     def latex(self, tr: Translator) -> str:
-        return self._print(notation("latex", tr))
+        return self.printed(notation("latex", tr))
 
     def mathml(self, tr: Translator) -> str:
-        return self._print(notation("mathml", tr))
+        return self.printed(notation("mathml", tr))
 
-    def _print(self, form: Latex | MathML) -> str:
+    def printed(self, form: Notation) -> str:
         result = Var(self.result, 0.0).sign
         pieces = [form.symbol(result)]
         last = ""
@@ -407,7 +407,7 @@ class Formula:
         # the left side never stands alone at the end of a line
         return form.formula([pieces[0] + pieces[1], *pieces[2:]])
 
-    def _sides(self, form: Latex | MathML) -> list[list[str]]:
+    def _sides(self, form: Notation) -> list[list[str]]:
         pages = [Page(form, numbers, self.index, self.digits) for numbers in (False, True)]
         value = pages[1].number(self.shown, self.digits, self.unit == "deg", self.scale, self.ref)
         if not self.numbers or (value.zero and self._nothing_divided()):
@@ -441,12 +441,12 @@ class Inline:
     ref: Ref | None = None
 
     def latex(self, tr: Translator) -> str:
-        return self._print(notation("latex", tr))
+        return self.printed(notation("latex", tr))
 
     def mathml(self, tr: Translator) -> str:
-        return self._print(notation("mathml", tr))
+        return self.printed(notation("mathml", tr))
 
-    def _print(self, form: Latex | MathML) -> str:
+    def printed(self, form: Notation) -> str:
         value = (
             Page(form, numbers=True).number(self.value, self.digits, self.unit == "deg", ref=self.ref).text
         )
@@ -466,7 +466,7 @@ class Term:
     note: str = ""
     negative: bool = False
 
-    def text(self, form: Latex | MathML) -> str:
+    def text(self, form: Notation) -> str:
         plain = math_symbol(self.symbol) if isinstance(self.symbol, str) else self.symbol
         vector = form.symbol(Symbol(plain.base, plain.sub, plain.sup, bar=True))
         lined = form.underlined(vector, self.known)
@@ -480,12 +480,12 @@ class VectorEquation:
     sides: Sequence[Sequence[Term]]
 
     def latex(self, tr: Translator) -> str:
-        return self._print(notation("latex", tr))
+        return self.printed(notation("latex", tr))
 
     def mathml(self, tr: Translator) -> str:
-        return self._print(notation("mathml", tr))
+        return self.printed(notation("mathml", tr))
 
-    def _print(self, form: Latex | MathML) -> str:
+    def printed(self, form: Notation) -> str:
         pieces: list[str] = []
         for number, side in enumerate(self.sides):
             relation = form.operator("=") if number else ""
@@ -493,7 +493,7 @@ class VectorEquation:
         return form.formula(pieces)
 
 
-def _side(side: Sequence[Term], form: Latex | MathML) -> list[str]:
+def _side(side: Sequence[Term], form: Notation) -> list[str]:
     if not side:
         return [form.number(0, 1)]
     first = form.negative(side[0].text(form)) if side[0].negative else side[0].text(form)

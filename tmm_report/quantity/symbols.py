@@ -114,7 +114,10 @@ class Symbol:
         return notation("latex", tr).symbol(self)
 
     def mathml(self, tr: Translator) -> str:
-        return _alone(self, notation("mathml", tr))
+        return self.printed(notation("mathml", tr))
+
+    def printed(self, form: Notation) -> str:
+        return _alone(self, form)
 
 
 @lru_cache(maxsize=4096)
@@ -154,7 +157,8 @@ def index_runs(text: str, base: bool = False) -> Iterator[str]:
 
 @dataclass(frozen=True, eq=False)
 class Notation:
-    """What both formats share: the translator and how a run of letters in an index is read."""
+    """The shapes of a formula, which each format writes in its way. What all share: the translator and how a run of
+    letters in an index is read."""
 
     tr: Translator
 
@@ -169,12 +173,58 @@ class Notation:
         raise NotImplementedError
 
     def symbol(self, symbol: Symbol) -> str:
-        raise NotImplementedError
+        return _symbol(symbol, self)
 
-    def operator(self, sign: str) -> str:
+    def indexed(self, base: str, sub: str, sup: str) -> str:
         raise NotImplementedError
 
     def run(self, run: str) -> str:
+        """One kind of letter or sign."""
+        raise NotImplementedError
+
+    def unit(self, unit: str) -> str:
+        """As it follows a number."""
+        raise NotImplementedError
+
+    def operator(self, sign: str) -> str:
+        """Between two terms."""
+        raise NotImplementedError
+
+    def negative(self, text: str) -> str:
+        raise NotImplementedError
+
+    def brackets(self, text: str, marks: str = "()") -> str:
+        raise NotImplementedError
+
+    def fraction(self, above: str, below: str) -> str:
+        raise NotImplementedError
+
+    def root(self, text: str) -> str:
+        raise NotImplementedError
+
+    def power(self, base: str, exponent: str) -> str:
+        raise NotImplementedError
+
+    def function(self, name: str, argument: str) -> str:
+        raise NotImplementedError
+
+    def integral(self, body: str, along: str, lower: str, upper: str) -> str:
+        raise NotImplementedError
+
+    def bar(self, text: str) -> str:
+        """Above a vector or a segment."""
+        raise NotImplementedError
+
+    def underlined(self, text: str, lines: int) -> str:
+        """By as many lines as are known of a vector, up to two."""
+        raise NotImplementedError
+
+    def under(self, text: str, note: str) -> str:
+        """A note below a vector."""
+        raise NotImplementedError
+
+    def formula(self, pieces: list[str]) -> str:
+        """Pieces, each beginning with its relation or sign: a line may break between them."""
         raise NotImplementedError
 
     def text(self, text: str, base: bool = False) -> str:
@@ -198,9 +248,6 @@ class Latex(Notation):
     @property
     def decimal(self) -> str:
         return "{,}" if self.tr.decimal == "," else "."
-
-    def symbol(self, symbol: Symbol) -> str:
-        return _symbol(symbol, self)
 
     def indexed(self, base: str, sub: str, sup: str) -> str:
         return base + (f"_{{{sub}}}" if sub else "") + (f"^{{{sup}}}" if sup else "")
@@ -278,9 +325,6 @@ class MathML(Notation):
             return text
         tag = "<mn" if text.startswith("<mn") else "<mrow"
         return f"{tag}{attributes(ref)}{text[len(tag) :]}"
-
-    def symbol(self, symbol: Symbol) -> str:
-        return _symbol(symbol, self)
 
     def indexed(self, base: str, sub: str, sup: str) -> str:
         base = _row(base)
@@ -366,7 +410,7 @@ def _unit_sign(word: re.Match[str]) -> str:
 
 
 @lru_cache(maxsize=8192)
-def _symbol(symbol: Symbol, notation: Latex | MathML) -> str:
+def _symbol(symbol: Symbol, notation: Notation) -> str:
     if symbol.kind == "segment":
         return notation.bar(_segment(symbol.base, notation))
     base = notation.text(symbol.base, base=True)
@@ -376,11 +420,11 @@ def _symbol(symbol: Symbol, notation: Latex | MathML) -> str:
 
 
 @lru_cache(maxsize=8192)
-def _alone(symbol: Symbol, notation: Latex | MathML) -> str:
+def _alone(symbol: Symbol, notation: Notation) -> str:
     return notation.formula([notation.symbol(symbol)])
 
 
-def _segment(ends: str, notation: Latex | MathML) -> str:
+def _segment(ends: str, notation: Notation) -> str:
     """Each letter of a segment's name on its own, digits and marks as its index: ps2 -> p s₂."""
     pieces = re.findall(r"([^\W\d_]|.)(\d*)", ends, re.DOTALL)
     return "".join(

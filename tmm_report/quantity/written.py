@@ -11,7 +11,7 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.formula import ATOM, POWER, Expr, Formula, Page, Piece, Symbol, Var
 from tmm_report.quantity.model import Quantity, Table, plain, text_column, variable
 from tmm_report.quantity.ref import Ref
-from tmm_report.quantity.symbols import Latex, MathML, notation, segment
+from tmm_report.quantity.symbols import Notation, notation, segment
 from tmm_report.records import dataclass
 
 DIGITS = 5  # significant digits that a hand calculation carries
@@ -119,12 +119,12 @@ class Equation:
     numbers: bool = True
 
     def latex(self, tr: Translator) -> str:
-        return self._print(notation("latex", tr))
+        return self.printed(notation("latex", tr))
 
     def mathml(self, tr: Translator) -> str:
-        return self._print(notation("mathml", tr))
+        return self.printed(notation("mathml", tr))
 
-    def _print(self, form: Latex | MathML) -> str:
+    def printed(self, form: Notation) -> str:
         pieces = list(self.expression.terms(Page(form, numbers=self.numbers)))
         return form.formula([*pieces, form.operator("=") + form.number(0, 1)])
 

@@ -24,10 +24,23 @@ from tmm_report.report.part import WHOLE, Failed, Note, Part, Title
 from tmm_report.resources import data_root
 
 if TYPE_CHECKING:
+    from tmm_report.report.formats import Format
     from tmm_report.report.own import Own
     from tmm_report.report.paper.frames import Frames
 
-FORMATS: dict[str, Callable[[], Html | Tex]] = {"html": lambda: Html(breaking=True), "tex": Tex, "png": Png}
+
+def _typst() -> Format:
+    from tmm_report.report.formats.typst import Typst  # few notes are made by it
+
+    return Typst()
+
+
+FORMATS: dict[str, Callable[[], Format]] = {
+    "html": lambda: Html(breaking=True),
+    "tex": Tex,
+    "png": Png,
+    "typst": _typst,
+}
 
 
 def render(
@@ -42,7 +55,8 @@ def render(
     template_of: tuple[bytes, str] | None = None,
     living: Callable[[str, Page], str] | None = None,
 ) -> dict[str, bytes]:
-    """File name -> content: "note.html" alone, "note.tex" with the figures it reads, or the figures as pictures.
+    """File name -> content: "note.html" or "note.typst" alone, "note.tex" with the figures it reads, or the figures as
+    pictures.
 
     `undone`: what was asked and is not in the note; the conclusions begin with it. `note`: how much it says;
     `profile`: how it looks on paper; `assignment`: its sheet, as its template knows it;
@@ -97,7 +111,9 @@ def _written(
     page.numbering.end_front()
     head = chapter("title") + (chapter("assignment") if given["assignment"] else "")
     frames = _frames(given["title"], page) if page.profile.frames else None
-    text = template(f"report.{fmt}.j2").render(given, head=head, body=body, frames=frames, **_own_files(fmt))
+    text = template(f"report.{fmt}.j2").render(
+        given, head=head, body=body, frames=frames, **_own_files(given, page)
+    )
     text = page.numbering.resolved(text, page.note.whole and own is None)
     return joined(text, fmt, page.called("where"), page.called("here"), page.profile.dash_sign)
 
@@ -131,10 +147,16 @@ FACES = (
 )
 
 
-def _own_files(fmt: str) -> dict[str, Any]:
+def _own_files(given: Mapping[str, Any], page: Page) -> dict[str, Any]:
     """What the HTML carries in itself: its style sheet and the faces of its text and formulas, with which it is the
-    same on every machine."""
-    if fmt != "html":
+    same on every machine; what a PDF must have: a date, that of the assignment."""
+    if page.form.name == "typst":
+        from tmm_report.report.formats.typst import dated
+
+        title, sheet = given["title"], given["assignment"]
+        texts = [sheet.issued, sheet.due] if sheet else []
+        return {"date": dated(*map(page.name, [*texts, title.year]))}
+    if page.form.name != "html":
         return {}
     root = data_root() / "templates"
     faces = [

@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, lru_cache, partial
 from itertools import groupby
-from typing import Any, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 import jinja2
 import numpy as np
@@ -33,7 +33,6 @@ from tmm_report.quantity.text import number as written
 from tmm_report.quantity.written import Equation, explained
 from tmm_report.report import diagrams
 from tmm_report.report.bytecode import bytecode_cache
-from tmm_report.report.formats import Format
 from tmm_report.report.numbering import Appendix, Numbering, Place, Section
 from tmm_report.report.paper import layout
 from tmm_report.report.paper.layout import Cell, Words, runs
@@ -42,6 +41,9 @@ from tmm_report.report.part import WHOLE, Note
 from tmm_report.report.sources import SOURCES
 from tmm_report.report.symbol_list import SymbolList, thing
 from tmm_report.resources import data_root
+
+if TYPE_CHECKING:
+    from tmm_report.report.formats import Format
 
 P = ParamSpec("P")
 T = TypeVar("T")

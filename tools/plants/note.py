@@ -113,7 +113,7 @@ FAULTS = (
           "(?=(?:{units})(?!", "(?=(?:{units})0(?!", tests=("tests/report/test_good_text.py",)),
     Fault("sources cited together as in English", "tmm_report/languages.py", 'cited="; "', 'cited=", "',
           tests=("tests/report/test_good_text.py",)),
-    Fault("gathered figures of LaTeX lost", "tmm_report/report/formats.py",
+    Fault("gathered figures of LaTeX lost", "tmm_report/report/formats/__init__.py",
           "_tex_row(row, self.paper) for row in rows)", "_tex_row(row, self.paper) for row in rows[:0])",
           tests=SHEETS),
     # --- force plans as a person draws them ---

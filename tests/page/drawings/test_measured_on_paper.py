@@ -20,7 +20,7 @@ from paper import arrows, strokes
 from picture import SVG
 from reading import CHOSEN, LEVERS, html, results, wrong
 from test_mesh_picture import MESH
-from typesetting import typeset
+from typesetting import by_typst, typeset
 from vectors import vectors
 
 MEASURED = 0.1  # mm
@@ -188,9 +188,10 @@ def bar_of_a_hundred(pdf: bytes) -> list[float]:
             lambda: seen("compressor-ru").pdf,
             lambda: printed_without_fonts("compressor", "ru"),
             lambda: typeset("compressor", "ru")[1],
+            lambda: by_typst("compressor", "ru"),
         ]
     ),
-    ids=["browser", "without fonts", "latex"],
+    ids=["browser", "without fonts", "latex", "typst"],
 )
 def test_the_bar_is_a_hundred_millimetres_long(printed):
     assert any(abs(length - 100) <= MEASURED for length in bar_of_a_hundred(printed()))
@@ -227,3 +228,8 @@ def test_a_mesh_is_of_its_size_where_no_font_is_installed():
 @pytest.mark.skipif("compressor" not in CHOSEN, reason="looks at another variant")
 def test_latex_prints_them_at_their_length():
     wrong(unprinted(typeset("compressor", "ru")[1], "compressor"))
+
+
+@pytest.mark.skipif("compressor" not in CHOSEN, reason="looks at another variant")
+def test_typst_prints_them_at_their_length():
+    wrong(unprinted(by_typst("compressor", "ru"), "compressor"))

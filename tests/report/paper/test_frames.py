@@ -1,4 +1,4 @@
-"""Frames and title blocks of GOST 2.104 on the pages of a note, measured as the browser and LaTeX print them."""
+"""Frames and title blocks of GOST 2.104 on the pages of a note, measured as the browser, LaTeX and Typst print them."""
 
 from __future__ import annotations
 
@@ -15,9 +15,10 @@ from browser import browser, opened
 from conftest import solved
 from notes import program
 from pdf_words import POINT, Page, Word
-from typesetting import set_by_tex
+from typesetting import set_by_tex, set_by_typst
 
 from tmm_report import render
+from tmm_report.commands.files import for_typst
 from tmm_report.figures.drawing import Drawing, Text
 from tmm_report.figures.drawing import Path as Lines
 from tmm_report.figures.title_block import FIRST, NEXT, Said, first, following
@@ -27,7 +28,7 @@ NAME = "crank_rocker"
 FRAMED = stated(
     "gost", {"frames": True, "margins": {"left": "37 mm", "right": "21 mm"}, "text": {"size": 16}}
 )
-FORMATS = ["html", pytest.param("tex", marks=pytest.mark.exhaustive)]
+FORMATS = ["html", "typst", pytest.param("tex", marks=pytest.mark.exhaustive)]
 DOTS = 10  # a millimetre
 CODE = "ТММ.05.12.000 ПЗ"
 # GOST 2.104-2006, forms 2 and 2a, mm from the lower left corner of the block: x, y, to x, to y
@@ -50,13 +51,18 @@ def note(fmt: str) -> dict[str, bytes]:
     results = solved(NAME)
     title = replace(results.variant.title, designation=CODE)
     variant = replace(results.variant, profile=FRAMED, title=title)
-    return render(replace(results, variant=variant), fmt, "ru", "course")
+    results = replace(results, variant=variant)
+    if fmt == "typst":
+        return {"note.typst": for_typst(results, "ru", "course")}
+    return render(results, fmt, "ru", "course")
 
 
 @cache
 def printed(fmt: str) -> bytes:
     if fmt == "tex":
         return set_by_tex(note("tex"), whole=True)[1]
+    if fmt == "typst":
+        return set_by_typst(note("typst")["note.typst"])
     with TemporaryDirectory(ignore_cleanup_errors=True) as place, browser(Path(place)) as talk:
         return opened(talk, Path(place), "framed", note("html")["note.html"], print_it=True).pdf
 

@@ -78,13 +78,21 @@ class Frames:
         self.page.form.files[file] = tikz(drawing).encode()
         return Markup(rf"\input{{{file}}}\unskip")
 
+    def whole(self, name: str) -> Drawing:
+        """A block with all of its outer lines, half of which stand outside its size."""
+        return replace(getattr(self, name), margin=self.outside)
+
+    @property
+    def outside(self) -> float:
+        """What of these lines stands outside, mm."""
+        return THICK.width / 2
+
     def css(self, name: str, face: str, turned: bool = False) -> Markup:
         """A block as a picture of a style sheet, with the face of its letters, for a picture sees none of its page."""
-        drawing: Drawing = replace(getattr(self, name), margin=THICK.width / 2)
         style = (
             f'<style>@font-face{{font-family:"Note Serif";src:url(data:font/woff2;base64,{face})}}</style>'
         )
-        text = svg(drawing, turned).replace("<g ", f"{style}<g ", 1)
+        text = svg(self.whole(name), turned).replace("<g ", f"{style}<g ", 1)
         return Markup('url("data:image/svg+xml,' + quote(text, safe=" /:;=,@+()'!*-._~{}&") + '")')
 
     def frame(self, wide: float, tall: float, turned: bool = False) -> Cell:

@@ -45,9 +45,13 @@ def letters(text: str, face: str = "regular") -> float:
 
 # --- what may stand in a cell of a table ---
 
-_MATH = re.compile(r"(<math.*?</math>|(?<!\\)\$.*?(?<!\\)\$)", re.S)
+_MATH = re.compile(r"(<math.*?</math>|(?<!\\)(?:\$[^$]*\$)+/\*[\d.]+\*/|(?<!\\)\$.*?(?<!\\)\$)", re.S)
+_STATED = re.compile(r"/\*([\d.]+)\*/$")  # behind a formula of Typst
 _TAG = re.compile(r"<wbr/?>|<br/?>|\\allowbreak(?:\{\}| )?|(<[^>]+>)")
-_COMMAND = re.compile(r"\\hyperlink\{[^}]*\}|\\hspace\{[^}]*\}|\\([%&#$_{}])|\\[A-Za-z]+ ?|[{}]")
+_COMMAND = re.compile(
+    r"\\hyperlink\{[^}]*\}|\\hspace\{[^}]*\}|\\([%&#$_{}])|\\[A-Za-z]+ ?|[{}]"
+    r"|#link\(label\(\"[\w.-]*\"\)\)|\\([-/*@<>=+~`'\"\[\]])"  # of Typst
+)
 _BREAK = re.compile(r"[ \n\u200b]|(?<=[^\W\d]-)(?=\w)")  # a compound is broken behind its hyphen
 
 
@@ -104,7 +108,7 @@ def _lifted(mark: re.Match[str]) -> str:
 def _plain(run: str) -> str:
     """Text of markup: a place where it may break becomes a blank."""
     text = unescape(_TAG.sub(lambda mark: "" if mark[1] else "\u200b", run))
-    return _COMMAND.sub(lambda mark: mark[1] or "", text).replace("~", "\N{NO-BREAK SPACE}")
+    return _COMMAND.sub(lambda mark: mark[1] or mark[2] or "", text).replace("~", "\N{NO-BREAK SPACE}")
 
 
 def _word(runs: Iterable[str]) -> float:
@@ -149,7 +153,9 @@ def breakable(text: str) -> list[str]:
 
 @lru_cache(maxsize=8192)
 def mathematics(text: str) -> float:
-    """Neighbouring formulas, as MathML or as LaTeX between dollar signs."""
+    """Neighbouring formulas, as MathML or as LaTeX between dollar signs; one of Typst says how wide it is."""
+    if stated := _STATED.search(text):
+        return float(stated[1])
     if text.startswith("$"):
         return latex(text[1:-1])
     return sum(mathml(node) for node in fromstring(f"<p>{without_attributes(text)}</p>"))

@@ -27,7 +27,18 @@ _TEX = (
     (r"(\\end\{Note(?:Long)?Table\}\s*(?:\\begin\{NoteMany\})?\\NoteWhere )WHERE ", r"\1HERE "),
     (r"(:\s*(?:\\begin\{NoteMany\})?\\NoteWhere )WHERE ", r"\1"),
 )
-_RULES = {"html": _HTML, "tex": _TEX}
+_TYPST = (
+    (
+        r'tail: ""([^\n]*\s*(?:\)\);\s*)?)'
+        r"(?=\(tail: |#note-(?:formula|display|beside)\(|#note-where\(\[WHERE )",
+        r'tail: ","\1',
+    ),
+    (r"\.(\s*#note-where\(\[WHERE )", r",\1"),
+    (r"(/\*table\*/\s*#note-where\(\[)WHERE ", r"\1HERE "),
+    (r"(:\s*#note-where\(\[)WHERE ", r"\1"),
+    (r'^#"";\s*$', ""),  # a paragraph whose sentences refer to what is left out
+)
+_RULES = {"html": _HTML, "tex": _TEX, "typst": _TYPST}
 
 
 def joined(text: str, fmt: str, where: str, here: str, dash: str) -> str:
@@ -40,12 +51,15 @@ def joined(text: str, fmt: str, where: str, here: str, dash: str) -> str:
 
 
 _PICTURE = re.compile(r"(<svg.*?</svg>)", re.S)
+_DRAWN = re.compile(r"(#note-picture\(.*?</svg>)", re.S)
 
 
 def _dashed(text: str, fmt: str, dash: str) -> str:
     """The dash of the profile in the text, not in pictures: their lettering was laid out as it is."""
     if fmt == "html":
         return "".join(part if k % 2 else _put(part, dash) for k, part in enumerate(_PICTURE.split(text)))
+    if fmt == "typst":
+        return "".join(part if k % 2 else _put(part, dash) for k, part in enumerate(_DRAWN.split(text)))
     before, begin, body = text.partition("\\begin{document}")
     body = re.sub(r"(?<=\s)--(?=\s)", {"—": "---", "–": "--"}[dash], body)
     return before + begin + _put(body, dash)

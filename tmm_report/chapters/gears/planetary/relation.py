@@ -5,7 +5,7 @@ from __future__ import annotations
 from tmm_report.i18n import Translator
 from tmm_report.quantity.formula import Expr, Page
 from tmm_report.quantity.ref import Ref, without_attributes
-from tmm_report.quantity.symbols import Latex, MathML, notation
+from tmm_report.quantity.symbols import Notation, notation
 from tmm_report.records import dataclass
 
 
@@ -36,16 +36,16 @@ class Relation:
         return abs(difference) < 1e-9 * abs(self.right.value) if self.sign == "=" else difference > 0
 
     def latex(self, tr: Translator) -> str:
-        return self._print(notation("latex", tr))
+        return self.printed(notation("latex", tr))
 
     def mathml(self, tr: Translator) -> str:
-        return self._print(notation("mathml", tr))
+        return self.printed(notation("mathml", tr))
 
-    def _print(self, form: Latex | MathML) -> str:
+    def printed(self, form: Notation) -> str:
         left, right = self._side(self.left, form), self._side(self.right, form)
         return form.formula([left[0] + left[1], *left[2:], form.operator(self.sign) + right[0], *right[1:]])
 
-    def _side(self, side: Side, form: Latex | MathML) -> list[str]:
+    def _side(self, side: Side, form: Notation) -> list[str]:
         """In symbols, in numbers, the value: each with its sign of equality, what repeats left out."""
         pages = [Page(form, numbers) for numbers in (False, True)]
         texts = [side.expression.piece(page).text for page in pages]

@@ -8,7 +8,7 @@ from tmm_report.chapters.machine.governor.solve.in_loop import LoopFound
 from tmm_report.chapters.machine.governor.values import States
 from tmm_report.i18n import Translator
 from tmm_report.quantity.formula import FRACTION, Expr, Number, Page, Piece, Var
-from tmm_report.quantity.symbols import Latex, MathML, Symbol, notation
+from tmm_report.quantity.symbols import Notation, Symbol, notation
 from tmm_report.records import dataclass
 
 
@@ -20,12 +20,12 @@ class Relation:
     right: Expr
 
     def latex(self, tr: Translator) -> str:
-        return self._print(notation("latex", tr))
+        return self.printed(notation("latex", tr))
 
     def mathml(self, tr: Translator) -> str:
-        return self._print(notation("mathml", tr))
+        return self.printed(notation("mathml", tr))
 
-    def _print(self, form: Latex | MathML) -> str:
+    def printed(self, form: Notation) -> str:
         page = Page(form, numbers=False)
         first, *rest = self.right.terms(page)
         return form.formula(["".join(self.left.terms(page)) + form.operator("=") + first, *rest])
@@ -42,12 +42,12 @@ class Rate(Expr):
         return 0.0
 
     def latex(self, tr: Translator) -> str:
-        return self._print(notation("latex", tr))
+        return self.printed(notation("latex", tr))
 
     def mathml(self, tr: Translator) -> str:
-        return self._print(notation("mathml", tr))
+        return self.printed(notation("mathml", tr))
 
-    def _print(self, form: Latex | MathML) -> str:
+    def printed(self, form: Notation) -> str:
         return form.formula([self.piece(Page(form, numbers=False)).text])
 
     def piece(self, page: Page) -> Piece:

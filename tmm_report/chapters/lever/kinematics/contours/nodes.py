@@ -9,7 +9,7 @@ import numpy as np
 from tmm_report.i18n import NP_, Translator
 from tmm_report.quantity.formula import ATOM, SUM, Expr, Number, Page, Piece, Value, at
 from tmm_report.quantity.functions import Degrees
-from tmm_report.quantity.symbols import Latex, MathML, notation
+from tmm_report.quantity.symbols import Notation, notation
 from tmm_report.records import dataclass
 
 Signed = tuple[int, Expr | None]  # ±1 and a term; None where it is zero
@@ -110,12 +110,12 @@ class Sides:
     index: int | None = None
 
     def latex(self, tr: Translator) -> str:
-        return self._print(notation("latex", tr))
+        return self.printed(notation("latex", tr))
 
     def mathml(self, tr: Translator) -> str:
-        return self._print(notation("mathml", tr))
+        return self.printed(notation("mathml", tr))
 
-    def _print(self, form: Latex | MathML) -> str:
+    def printed(self, form: Notation) -> str:
         page = Page(form, numbers=False, index=self.index)
         first, *rest = self.right.terms(page)
         return form.formula([*self.left.terms(page), form.operator("=") + first, *rest])

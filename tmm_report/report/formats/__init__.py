@@ -1,6 +1,7 @@
-"""The two formats of the note: how text is escaped, how mathematics and pictures get in.
+"""The formats of the note: how text is escaped, how mathematics and pictures get in.
 
-Whatever is not Markup is escaped for its format, so that a name from a variant can break out of neither.
+Whatever is not Markup is escaped for its format, so that a name from a variant can break out of none.
+A format that few notes have is a room of its own, which is read when it is asked for.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import field
 from functools import lru_cache
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
 from markupsafe import Markup
 
@@ -17,7 +18,7 @@ from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing, svg, tikz
 from tmm_report.i18n import Translator
 from tmm_report.quantity.ref import Ref, attributes
-from tmm_report.quantity.symbols import GREEK, latex_escape, xml_escape
+from tmm_report.quantity.symbols import GREEK, Notation, latex_escape, xml_escape
 from tmm_report.records import dataclass
 from tmm_report.report.paper.layout import Cell, Words
 from tmm_report.report.paper.lines import broken, finer, pieces
@@ -33,15 +34,31 @@ class Mathematics(Protocol):
 
     def mathml(self, tr: Translator) -> str: ...
 
+    def printed(self, form: Notation) -> str: ...
+
+
+class Flowing(Waiting[Markup]):
+    """Figures that have sheets of their own wait, and those behind them: they stand before the next heading, together,
+    so that the text goes on and is broken once."""
+
+    def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
+        """A figure with its caption where it stands: in the text, or behind those that wait."""
+        if not self.gathers and not self.waiting and self.paper.sheet_of(picture.size) is None:
+            return figure
+        self.waiting.append(Kept(figure, picture.size))
+        return Markup("")
+
+    def flowing(self) -> Markup:
+        """At a heading that the text goes on with: figures that wait for a sheet wait on, and those behind them."""
+        return Markup("") if any(self.paper.sheet_of(one.size) for one in self.waiting) else self.due()
+
 
 @dataclass
-class Html(Waiting[Markup]):
+class Html(Flowing):
     """One self-contained file: pictures stand in it as svg.
 
     `breaking`: whether a line may break within words longer than any of a language, as in a note; `pictures`: those of
     its figures, by their anchors.
-    Figures that have sheets of their own wait, and those behind them: they stand before the next heading, together, so
-    that the text goes on and is broken once.
     """
 
     name = "html"
@@ -69,18 +86,7 @@ class Html(Waiting[Markup]):
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         self.pictures[anchor] = picture
-        return Markup(svg(_drawing(picture)))
-
-    def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
-        """A figure with its caption where it stands: in the text, or behind those that wait."""
-        if not self.gathers and not self.waiting and self.paper.sheet_of(picture.size) is None:
-            return figure
-        self.waiting.append(Kept(figure, picture.size))
-        return Markup("")
-
-    def flowing(self) -> Markup:
-        """At a heading that the text goes on with: figures that wait for a sheet wait on, and those behind them."""
-        return Markup("") if any(self.paper.sheet_of(one.size) for one in self.waiting) else self.due()
+        return Markup(svg(drawing_of(picture)))
 
     def block(self, rows: Sequence[Row[Markup]]) -> Markup:
         """Rows of figures on a sheet, or one in the text."""
@@ -141,7 +147,7 @@ class Tex(Waiting[tuple[str, Markup, Markup]]):
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         name = f"figures/{anchor}.tex"
-        self.files[name] = tikz(_drawing(picture)).encode()
+        self.files[name] = tikz(drawing_of(picture)).encode()
         command = f"\\input{{{name}}}"
         size = self.paper.percent(picture.size) / 100
         return Markup(f"\\scalebox{{{size}}}{{{command}}}" if size < 1 else command)
@@ -184,14 +190,17 @@ class Png(Tex):
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         from tmm_report.figures.raster import png
 
-        self.files[f"figures/{anchor}.png"] = png(_drawing(picture))
+        self.files[f"figures/{anchor}.png"] = png(drawing_of(picture))
         return Markup("")
 
 
-Format = Html | Tex
+if TYPE_CHECKING:
+    from tmm_report.report.formats.typst import Typst
+
+Format: TypeAlias = "Html | Tex | Typst"
 
 
-def _drawing(picture: Drawing | Graph) -> Drawing:
+def drawing_of(picture: Drawing | Graph) -> Drawing:
     return picture if isinstance(picture, Drawing) else picture.drawing
 
 
