@@ -1,17 +1,19 @@
 """Drawings of a spur pair: what must be seen is there, at its length in millimetres of paper."""
 
+import math
 import xml.etree.ElementTree as ET
 
 import numpy as np
 import pytest
 
 from tmm_report.chapters.gears.spur.draw.action import CONTACT
-from tmm_report.chapters.gears.spur.draw.contour import Plane, contour, pieces_of
+from tmm_report.chapters.gears.spur.draw.contour import FIELD, Plane, contour, pieces_of
 from tmm_report.chapters.gears.spur.draw.mesh import mesh_drawing
 from tmm_report.chapters.gears.spur.draw.sheet import ACTIVE, TEETH
 from tmm_report.chapters.gears.spur.draw.zones import BEYOND, WIDE, pairs_at, zones
 from tmm_report.chapters.gears.spur.solve import pair as spur
 from tmm_report.chapters.gears.spur.view.pair import SpurView
+from tmm_report.figures.charts.axes import ALONG
 from tmm_report.figures.dimensions import span, spread
 from tmm_report.figures.drawing import THICK, Arc, Path, Text, svg, tikz
 from tmm_report.i18n import Translator
@@ -161,6 +163,9 @@ def test_pairs_in_mesh_are_the_contact_ratio_on_the_average(ratio):
 def test_the_contour_is_drawn_where_it_is(found):
     seen = found.contour
     plane = Plane(seen.window)
+    step = 1 / plane.scale / 10.0 ** math.floor(math.log10(1 / plane.scale))
+    assert min(abs(step - one) for one in (*ALONG, 10.0)) < 1e-9
+    assert plane.corner.real < FIELD[0] + 1e-6 and plane.corner.imag < FIELD[1] + 1e-6
     drawing = contour(seen, found.given.wheels, num)
     borders, pieces = strokes(drawing, THICK), pieces_of(seen, plane)
     assert borders and len(borders) == len(pieces)

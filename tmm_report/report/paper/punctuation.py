@@ -1,7 +1,8 @@
 """Formulas as parts of sentences: what stands behind a formula, and with what word its explanation begins.
 
-A formula that another follows, or its explanation, ends with a comma; so does a sentence that is explained. Behind a
-table the explanation begins a sentence of its own, behind a colon it goes on without a word.
+A formula that another follows, or its explanation, ends with a comma; so does a sentence that ends with a formula.
+Behind one that ends with words, and behind a table, the explanation begins a sentence of its own, behind a
+colon it goes on without a word.
 """
 
 from __future__ import annotations
@@ -12,7 +13,8 @@ _HTML = (
     # formula, then a formula or its explanation
     (r'(</math>(?:</span>)?)(</div>(?:<div class="number">[^<]*</div>)?</div>\s*(?:</div>\s*)?)'
      r'(?=<p class="where">|<div class="formula"|<div class="beside">)', r"\1,\2"),
-    (r'\.(</p>\s*<p class="where">)', r",\1"),
+    (r'(</math>(?:</span>)?)\.(</p>\s*<p class="where">)', r"\1,\2"),
+    (r'(\.</p>\s*<p class="where"><span class="item">)WHERE ', r"\1HERE "),
     (r'(</table>\s*</div>\s*</div>\s*<p class="where"><span class="item">)WHERE ', r"\1HERE "),
     (r'(:</p>\s*<p class="where"><span class="item">)WHERE ', r"\1"),
     (r"(</math>(?:</span>)?)(?=[.,;:)](?![^<]*</(?:div|th)>))", "\\1\N{WORD JOINER}"),  # no line begins with a stop
@@ -23,7 +25,8 @@ _TEX = (
         r"(?=(?:\\begin\{NoteMany\})?\\NoteWhere WHERE |\\Note(?:Formula|Display|Beside)\{|\\NoteBegin)",
         r"\1,}\2",
     ),
-    (r"\.(\s*(?:\\begin\{NoteMany\})?\\NoteWhere WHERE )", r",\1"),
+    (r"(?<=\$)\.(\s*(?:\\begin\{NoteMany\})?\\NoteWhere WHERE )", r",\1"),
+    (r"(\.\s*(?:\\begin\{NoteMany\})?\\NoteWhere )WHERE ", r"\1HERE "),
     (r"(\\end\{Note(?:Long)?Table\}\s*(?:\\begin\{NoteMany\})?\\NoteWhere )WHERE ", r"\1HERE "),
     (r"(:\s*(?:\\begin\{NoteMany\})?\\NoteWhere )WHERE ", r"\1"),
 )

@@ -41,7 +41,9 @@ class Belt(Numbers):
     d2 = Q("d", "m", N_("diameter of the driven pulley"), "mm")
     d_exact = Q(Symbol("d", "", "′"), "m", N_("diameter of the driven pulley that the ratio asks for"), "mm")
     epsilon = Q(
-        Symbol("epsilon", SLIP), "", N_("slip: the part of its velocity that the driven pulley loses")
+        Symbol("epsilon", SLIP),
+        "",
+        N_("slip coefficient, the part of its velocity that the driven pulley loses"),
     )
     u_required = Q(Symbol("u", "", "′"), "", N_("required ratio of the stage"))
     u = Q("u", "", RATIO)
@@ -106,7 +108,11 @@ class Chain(Numbers):
 class Friction(Numbers):
     d1 = Q("d", "m", N_("diameter of the driving wheel"), "mm")
     d2 = Q("d", "m", N_("diameter of the driven wheel"), "mm")
-    epsilon = Q(Symbol("epsilon", SLIP), "", N_("slip: the part of its velocity that the driven wheel loses"))
+    epsilon = Q(
+        Symbol("epsilon", SLIP),
+        "",
+        N_("slip coefficient, the part of its velocity that the driven wheel loses"),
+    )
     u_required = Q(Symbol("u", "", "′"), "", N_("required ratio of the stage"))
     u = Q("u", "", RATIO)
     a = Q("a", "m", N_("distance of the centres"), "mm")

@@ -31,7 +31,7 @@ def tilting(losses: Iterable[PairLoss | Loss], table: Numbers, page: Page) -> Ma
     """Guides whose slider touches both faces somewhere, each with its positions, of `table`; None where there are
     none."""
     where = [(loss, tilted(loss)) for loss in losses]
-    text, lines = N_("guide %(pair)s, positions %(positions)s"), []
+    text, lines = N_("in guide %(pair)s at positions %(positions)s"), []
     for loss, positions in where:
         shown = [page.shown(table, "position", int(k)) for k in positions]
         lines += [page.t(text, pair=loss.pair.name, positions=page.listed(shown))] if shown else []

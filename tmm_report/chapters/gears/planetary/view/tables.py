@@ -140,7 +140,7 @@ class PlanetaryTables(ChapterView):
             case "tips":
                 return self.t("no overlap of the tips in the mesh with ring %(wheel)s", wheel=wheels[0])
             case "radial":
-                return self.t("room to put a planet gear into ring %(wheel)s radially", wheel=wheels[0])
+                return self.t("a planet gear can be put into ring %(wheel)s radially", wheel=wheels[0])
             case "contact":
                 return self.t("contact ratio of the pair %(pair)s", pair="-".join(wheels))
             case "gap":

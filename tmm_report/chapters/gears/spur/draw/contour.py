@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from tmm_report.chapters.gears.spur.solve.contour import Contour
+from tmm_report.figures.charts.axes import axis_scale
 from tmm_report.figures.drawing import (
     NORMAL,
     THICK,
@@ -65,9 +66,10 @@ class Plane:
 
     @property
     def scale(self) -> float:
-        """Millimetres of paper for a unit of shift."""
+        """Millimetres of paper for a unit of shift, a round one."""
         span = self.window[1] - self.window[0]
-        return min(FIELD[0] / span.real, FIELD[1] / span.imag)
+        extents = ((span.real, FIELD[0]), (span.imag, FIELD[1]))
+        return min(1 / axis_scale(extent, room) for extent, room in extents)
 
     def at(self, x: Array) -> Array:
         return (x - self.window[0]) * self.scale

@@ -155,12 +155,17 @@ class TeethView(ChapterView):
 
     @property
     def proof(self) -> dict[str, Markup]:
-        """Overlap, mm², clearance, mm, and contact ratio of the drawn outlines over a pitch, printed."""
+        """Overlap, mm², clearance and contact ratio of the drawn outlines over a pitch, printed."""
         return {
             "overlap": self.number("overlap", digits=3, scale=1e3),
-            "clearance": self.number("clearance", digits=2, scale=1e6),
+            "clearance": self.measured("clearance", digits=2, scale=1e6),
             "ratio": self.number("eps_counted"),
         }
+
+    @property
+    def touching(self) -> bool:
+        """Whether the distance between the outlines is printed as nought."""
+        return self.proof["clearance"].striptags().startswith("0 ")
 
     # ------------------------------------------------------------ the blocking contour
 

@@ -284,21 +284,21 @@ OF_LINK = {
 WORKING = {
     "load": N_(
         "Its working stroke, in which the stated load does its work, lasts from the angle of turn %(first)s° to "
-        "%(last)s°, positions %(one)s … %(other)s."
+        "%(last)s° (positions %(one)s … %(other)s)."
     ),
     "longer": N_(
-        "Its working stroke, the longer-lasting one, lasts from the angle of turn %(first)s° to %(last)s°, positions "
-        "%(one)s … %(other)s."
+        "Its working stroke, the longer-lasting one, lasts from the angle of turn %(first)s° to %(last)s° (positions "
+        "%(one)s … %(other)s)."
     ),
 }
 WORKING_ROUND = {
     "load": N_(
         "Its working stroke, in which the stated load does its work, lasts from the angle of turn %(first)s° over the "
-        "end of the cycle to %(last)s°, positions %(one)s … %(other)s."
+        "end of the cycle to %(last)s° (positions %(one)s … %(other)s)."
     ),
     "longer": N_(
         "Its working stroke, the longer-lasting one, lasts from the angle of turn %(first)s° over the end of the cycle "
-        "to %(last)s°, positions %(one)s … %(other)s."
+        "to %(last)s° (positions %(one)s … %(other)s)."
     ),
 }
 WORKING_OF_SEVERAL = {

@@ -108,7 +108,7 @@ def stated_loads(given: Loads) -> list[Quantity]:
 
 @kept
 def _force(at: str, name: str, index: str) -> Quantity:
-    meaning = Message(N_("force on point %(at)s: %(name)s"), {"at": at, "name": name})
+    meaning = Message(N_("%(name)s on point %(at)s"), {"at": at, "name": name})
     return Quantity(f"P_{index}", Symbol("P", index), "N", meaning)
 
 

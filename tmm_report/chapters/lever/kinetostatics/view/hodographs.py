@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmm_report.chapters.lever.kinetostatics.given import Force, Moment
+from tmm_report.chapters.lever.kinetostatics.given import Force, Moment, Piston
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
 from tmm_report.chapters.lever.kinetostatics.solve.drawn_cycle import Array, Sampled
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
@@ -125,10 +125,11 @@ def _frame(curves: Sequence[Array], field: tuple[float, float], equal: bool) -> 
 
 
 class Indicated(NamedTuple):
-    """The indicator diagram of a stated load; `scale`: N or N·m for a millimetre."""
+    """A stated load by the stroke, of a pressure its indicator diagram; `scale`: N or N·m for a millimetre."""
 
     of: Quantity
     name: str
+    pressed: bool
     scale: float
     drawing: Drawing
 
@@ -150,4 +151,5 @@ def indicated(
             frame = _frame([*curves, np.array([0j, 1 + 0j])], INDICATED, equal=False)
             traces = [Trace(z, (name,)) for name, z in zip(named, curves, strict=True)]
             x: Parts = graphs.letter(Symbol("x"))
-            yield Indicated(of, called, frame.y_scale, plane(frame, traces, x, graphs.axis(of), num))
+            pressed = isinstance(load, Piston)
+            yield Indicated(of, called, pressed, frame.y_scale, plane(frame, traces, x, graphs.axis(of), num))
