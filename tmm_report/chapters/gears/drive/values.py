@@ -49,7 +49,7 @@ class Values(Sheet):
 
 
 class OfStage(Row):
-    u = Q("u", "", N_("ratio of the stage, the second input at rest"))
+    u = Q("u", "", N_("ratio of the stage"))
     u_required = Q(Symbol("u", "", "′"), "", N_("required ratio of the stage"))
     eta = Q("eta", "", N_("efficiency of the stage"))
 
