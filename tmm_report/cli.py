@@ -106,7 +106,7 @@ def solve(
     variant: VariantFile,
     output: Annotated[Path | None, typer.Option("-o", "--output", help="Folder for the note.")] = None,
     formats: Annotated[
-        str, typer.Option("--format", help="Any of html,tex,json,csv,png,dxf, joined by commas.")
+        str, typer.Option("--format", help="Any of html,tex,json,csv,png,dxf,sheets, joined by commas.")
     ] = "html,tex",
     lang: Language = None,
     depth: Annotated[
@@ -328,7 +328,7 @@ def batch(
         typer.Option("--table", help="CSV or XLSX: a variant a row, made from the template."),
     ] = None,
     formats: Annotated[
-        str, typer.Option("--format", help="Any of html,tex,json,csv,png,dxf, joined by commas.")
+        str, typer.Option("--format", help="Any of html,tex,json,csv,png,dxf,sheets, joined by commas.")
     ] = "html,json",
     jobs: Jobs = None,
     resume: Annotated[bool, typer.Option("--resume", help="Go on with a run that was stopped.")] = False,

@@ -14,7 +14,7 @@ from tmm_report.course import Depth, Results, Variant
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_
 
-FORMATS = ("html", "tex", "json", "csv", "png", "dxf")
+FORMATS = ("html", "tex", "json", "csv", "png", "dxf", "sheets")
 PICTURED = 26  # positions of plans and force plans whose pictures are made: 13 of each
 
 
@@ -42,6 +42,10 @@ def render(
         from tmm_report.results import as_dxf
 
         return as_dxf(results)
+    if fmt == "sheets":
+        from tmm_report.sheets import render as draw_sheets
+
+        return draw_sheets(results, tr)
     if fmt not in FORMATS:
         raise ValueError(f"format {fmt!r} is none of {', '.join(FORMATS)}")
     if fmt == "png":

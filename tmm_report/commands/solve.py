@@ -27,6 +27,9 @@ NO_TYPST = N_("no PDF: Typst is not installed: pip install 'tmm-report[pdf]', or
 NEITHER = N_("no PDF: neither pdflatex nor Typst is installed; the latter: pip install 'tmm-report[pdf]'")
 ANY, TEX, TYPST = PROGRAMS = ("any", "tex", "typst")  # what makes a PDF; any: TeX where there is one
 
+NO_EZDXF = N_(
+    "no DXF of the sheets, SVG and PDF alone: ezdxf is not installed (pip install 'tmm-report[sheets]')"
+)
 NO_BROWSER = N_("no print: no Chromium, Chrome or Edge is installed")
 
 
@@ -67,6 +70,8 @@ def run(
     tell_changed(folder, changed, talk)
     for line in no_pdf:
         talk.warn(line)
+    if "sheets" in wanted and not any(name.startswith("sheets/") and name.endswith(".dxf") for name in files):
+        talk.warn(Message(NO_EZDXF))
     if open_note:
         _open(folder / "note.html")
     return good and not no_pdf

@@ -8,7 +8,7 @@ The templates are rendered once: what they refer to before it comes is marked, a
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
@@ -71,6 +71,17 @@ def render(
     if living is not None and fmt == "html":
         text = living(text, page)
     return page.form.files if fmt == "png" else {f"note.{fmt}": text.encode(), **page.form.files}
+
+
+def written(
+    parts: Iterable[Part], title: Title, page: Page, before: Callable[[Part], None] = lambda part: None
+) -> None:
+    """Print the chapters for what the page's format keeps of them; `before`: called with each part."""
+    given = _given(title, page)
+    given = {**given, "m": template(f"macros.{page.form.name}.j2").make_module(dict(given))}
+    for part in list(parts):
+        before(part)
+        template(f"chapters/{part.template}.j2").render(given, view=part.view)
 
 
 def _own(template_of: tuple[bytes, str]) -> Own:

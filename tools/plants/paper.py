@@ -9,6 +9,7 @@ DEPARTMENT = ("tests/batches/test_department.py",)
 OWN = ("tests/report/test_own_template.py",)
 FRAMES = ("tests/report/paper/test_frames.py",)
 THINNED = ("tests/figures/test_thinning.py",)
+SHEETS = ("tests/sheets/test_sheets.py", "tests/sheets/test_files.py")
 FAULTS = (
     Fault("a binding margin of the print that is not the profile's", "templates/profile.css.j2",
           "{{ p.margins.bottom }}mm {{ p.margins.left }}mm", "{{ p.margins.bottom }}mm {{ p.margins.left - 5 }}mm",
@@ -94,4 +95,20 @@ FAULTS = (
     Fault("lines that begin with a stop", "tmm_report/report/paper/punctuation.py",
           '"\\\\1\\N{WORD JOINER}"', '"\\\\1"',
           tests=("tests/report/test_note_html.py",)),
+    Fault("pictures of a sheet over one another", "tmm_report/figures/sheets/sheet.py",
+          "taken.append(found[n].box)", "pass", tests=SHEETS),
+    Fault("pictures over the title block of a sheet", "tmm_report/figures/sheets/sheet.py",
+          "for box in (format.block, *taken):", "for box in taken:", tests=SHEETS),
+    Fault("a larger picture with the scale of the note", "tmm_report/sheets/pictures.py",
+          "one.value / times if self.per_mm else one.value", "one.value", tests=SHEETS),
+    Fault("letters of a sheet lower than 3.5 mm", "tmm_report/figures/sheets/strokes.py",
+          "SMALLEST = 3.5", "SMALLEST = 2.5", tests=SHEETS),
+    Fault("a line of form 1 left out", "tmm_report/figures/sheets/form.py", "(155, 15, 20), ", "", tests=SHEETS),
+    Fault("a name over its cell on a sheet", "tmm_report/figures/sheets/form.py",
+          "if not more and _wide(row, size) <= room:", "if not more:", tests=SHEETS),
+    Fault("commands of DXF in a name", "tmm_report/figures/sheets/cad.py", '.replace("^", "^ ")', "", tests=SHEETS),
+    Fault("vectors of a DXF without their tips", "tmm_report/figures/sheets/cad.py",
+          "Path(((item.start, item.end),), item.pen)", "item.parts[0]", tests=SHEETS),
+    Fault("a page of the PDF in points for mm", "tmm_report/figures/sheets/pdf.py", "POINT = 72 / 25.4", "POINT = 1.0",
+          tests=SHEETS),
 )  # fmt: skip

@@ -1,0 +1,267 @@
+"""The drawing sheets as they stand on paper: nothing over another, within the frame, lengths, lines and letters."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import replace
+from itertools import combinations, pairwise
+from xml.etree import ElementTree
+
+import pytest
+from conftest import solved
+from drawn import VARIANTS, files_of, ink, said, sheets_of
+
+from tmm_report import render, sheets
+from tmm_report.commands.files import translator
+from tmm_report.figures.drawing import Drawing, Path, Text, line
+from tmm_report.figures.sheets.form import Said, form
+from tmm_report.figures.sheets.sheet import FORMATS, Sheet, placed
+from tmm_report.figures.sheets.strokes import Letters, glyph
+from tmm_report.i18n import Translator
+from tmm_report.problems import ProblemError
+from tmm_report.report.paper.frames import WORDS
+
+SVG = "{http://www.w3.org/2000/svg}"
+WORDS_HERE = {word: word for word in (*WORDS, "Масса", "Масштаб", "Формат")}
+A1 = next(one for one in FORMATS if one.name == "A1")
+
+
+def apart(one, other) -> bool:
+    return one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1]
+
+
+@pytest.mark.parametrize("name", VARIANTS)
+def test_pictures_stand_apart_within_the_frame_and_off_the_title_block(name):
+    for sheet in sheets_of(name):
+        wide, tall = sheet.format.wide, sheet.format.tall
+        inked = [ink(block) for block in sheet.blocks]
+        for one, other in combinations(inked, 2):
+            assert apart(one, other)
+        for left, bottom, right, top in inked:  # GOST 2.104: 20 mm at the left, 5 mm at the other sides
+            assert left > 20 and bottom > 5 and right < wide - 5 and top < tall - 5
+            assert apart((left, bottom, right, top), (wide - 5 - 185, 5, wide - 5, 5 + 55))
+
+
+@pytest.mark.parametrize("name", VARIANTS)
+def test_every_picture_of_the_note_is_on_one_sheet(name):
+    note = render(solved(name), "html")["note.html"].decode()
+    assert sum(len(sheet.blocks) for sheet in sheets_of(name)) == note.count("<figure")
+
+
+def test_sheets_have_their_chapters_in_the_order_of_the_project():
+    kinds = {name: [one.name for one in sheets_of(name)] for name in VARIANTS}
+    assert kinds["compressor"] == ["1_kinematics", "2_forces", "3_machine", "4_gears"]
+    assert kinds["cam_press"][-1] == "4_cam" and kinds["hoist_drive"] == ["1_gears"]
+    titles = {one.name: " ".join(map(said, one.blocks)) for one in sheets_of("compressor")}
+    for sheet, words in {
+        "1_kinematics": ("План 12 положений", "План скоростей", "План ускорений", "Диаграммы движения"),
+        "2_forces": ("План сил", "Схема нагружения", "Рычаг Жуковского", "уравновешивающего момента"),
+        "3_machine": ("Маховик", "энергомасс"),
+        "4_gears": ("Картина зацепления", "Кинематическая схема зубчатого", "скольжение"),
+    }.items():
+        assert all(word in titles[sheet] for word in words)
+
+
+@pytest.mark.parametrize("name", ("compressor", "cam_press", "shaper_project"))
+def test_vectors_on_the_sheet_are_those_of_the_results(name):
+    """Of the SVG: the length of a vector, times what its title says of a millimetre, against results.json."""
+    tables = json.loads(render(solved(name), "json")["results.json"])["tables"]
+    values: dict[str, list[float]] = {}
+    for table in (one for key, one in tables.items() if key.startswith("comparison_")):
+        rows = (
+            {column["key"]: column["values"] for column in table["columns"]} if "columns" in table else table
+        )
+        for key, value in zip(rows["key"], rows["graph"], strict=True):
+            values.setdefault(key, []).append(abs(value))
+    seen = 0
+    for sheet in sheets_of(name):
+        root = ElementTree.fromstring(files_of(name)[f"sheets/{sheet.name}.svg"])
+        arrows = [
+            (group.get("data-q"), *_ends(group)) for group in root.iter(f"{SVG}g") if group.get("data-q")
+        ]
+        for block in sheet.blocks:
+            found = re.search(r"План (?:скоростей|ускорений).*= ([\d,]+) \(м/с", said(block))
+            if not found:
+                continue
+            scale, (left, bottom, right, top) = float(found[1].replace(",", ".")), block.box
+            for key, start, end in arrows:
+                x, y = start.real, start.imag
+                if key in values and left <= x <= right and bottom <= y <= top:
+                    assert min(abs(abs(end - start) - value / scale) for value in values[key]) < 0.05
+                    seen += 1
+    assert seen >= 6
+
+
+def _ends(group) -> tuple[complex, complex]:
+    """Of an arrow: its start, and the tip, with which its head begins; y up."""
+    shaft, head = (re.findall(r"-?[\d.]+(?:e-?\d+)?", path.get("d")) for path in group.iter(f"{SVG}path"))
+    return complex(float(shaft[0]), -float(shaft[1])), complex(float(head[0]), -float(head[1]))
+
+
+@pytest.mark.parametrize("name", VARIANTS)
+def test_pictures_are_as_large_as_in_the_note_or_by_a_ratio_of_the_standard(name):
+    """The printed scale and the drawn length go together: of every picture that is larger, by the circles and lines."""
+    results = solved(name)
+    tr = translator(results.variant)
+    figures = {one.titled(1.0, tr): one for one in sheets.figures(results, tr)}
+    for block in (block for sheet in sheets_of(name) for block in sheet.blocks):
+        times = next(
+            times
+            for times in (1.0, 2.0, 2.5, 4.0, 5.0)
+            for one in figures.values()
+            if one.titled(times, tr) == block.title
+        )
+        figure = next(one for one in figures.values() if one.titled(times, tr) == block.title)
+        drawn = [item for item in figure.drawing.items if not isinstance(item, Text)]
+        for old, new in zip(drawn, block.items, strict=True):
+            if isinstance(old, Path):
+                lengths = [
+                    [abs(b - a) for stroke in one.strokes for a, b in pairwise(stroke)] for one in (old, new)
+                ]
+                assert lengths[1] == pytest.approx([times * x for x in lengths[0]], abs=1e-6)
+
+
+@pytest.mark.parametrize("name", VARIANTS)
+def test_letters_are_strokes_with_capitals_of_at_least_3_5_mm(name):
+    for sheet in sheets_of(name):
+        assert not any(isinstance(item, Text) for item in sheet.drawing.items)
+        runs = [run for letters in sheet.letters for run in letters.runs]
+        assert min(run.tall for run in runs) >= 3.5
+        assert b"<text" not in files_of(name)[f"sheets/{sheet.name}.svg"]
+
+
+@pytest.mark.parametrize("char", "НABЖΩ0")
+def test_a_capital_is_as_high_as_it_is_said_to_be(char):
+    points = [z for stroke in Letters(0j, (char,), 3.5).path.strokes for z in stroke]
+    assert max(z.imag for z in points) - min(z.imag for z in points) == pytest.approx(3.5, abs=0.02)
+
+
+def test_letters_of_the_languages_are_there():
+    box = glyph("\uffff").strokes
+    russian = "абвгдеёжзийклмнопрстуфхцчшщъыьэюя"
+    for char in (
+        russian
+        + russian.upper()
+        + "іїєґўқңғүұһөә"
+        + "αβγδεζηθικλμνξπρστυφχψωΩΔΣ"
+        + "0123456789°′·×−–—«»₀₂²³±≤≥→∥"
+    ):
+        assert glyph(char).strokes != box, char
+
+
+@pytest.mark.parametrize("name", VARIANTS)
+def test_lines_are_those_of_gost_2_303(name):
+    for sheet in sheets_of(name):
+        for pen in {item.pen for block in sheet.blocks for item in block.items if getattr(item, "pen", None)}:
+            assert pen.colour == "black"
+            if not pen.dash:
+                assert pen.width == 0.6 or 0.2 <= pen.width <= 0.3  # s, from s/3 to s/2
+            elif len(pen.dash) == 2:
+                assert 2 <= pen.dash[0] <= 8 and 1 <= pen.dash[1] <= 2 and 0.2 <= pen.width <= 0.3
+            else:  # a dash of 5 to 30 mm, between dashes 3 to 5 mm with one dot, 4 to 6 with two
+                between, (low, high) = sum(pen.dash[1:]), {4: (3, 5), 6: (4, 6)}[len(pen.dash)]
+                assert 5 <= pen.dash[0] <= 30 and low <= between <= high and 0.2 <= pen.width <= 0.3
+
+
+# GOST 2.104-2006, form 1, mm from the lower left corner of the block: x, y, to x, to y
+FORM = {
+    (0, 55, 185, 55), (65, 40, 185, 40), (0, 35, 65, 35), (135, 35, 185, 35), (0, 30, 65, 30), (135, 20, 185, 20),
+    (65, 15, 185, 15), (0, 0, 185, 0), *((0, y, 65, y) for y in (5, 10, 15, 20, 25, 40, 45, 50)),
+    (0, 0, 0, 55), (7, 30, 7, 55), (17, 0, 17, 55),
+    (40, 0, 40, 55), (55, 0, 55, 55), (65, 0, 65, 55), (135, 0, 135, 40),
+    (140, 20, 140, 35), (145, 20, 145, 35),
+    (150, 20, 150, 40), (155, 15, 155, 20), (167, 20, 167, 40), (185, 0, 185, 55),
+}  # fmt: skip
+
+LONG = "Очень длинное название " * 40
+HOSTILE = (
+    "<script>alert(1)</script>]]>&\x00\x1b[31m",
+    "%%c^I\\U+0041 {\\fArial;}",
+    "\u202e\ud800💥",
+    "слово" * 200,
+    LONG,
+)
+
+
+def stamped(text: str) -> Said:
+    return Said(text, text, text, text, [(text, text)] * 6, text, 1, 9, WORDS_HERE)
+
+
+def test_the_title_block_has_the_lines_of_form_1():
+    lines, _ = form(stamped(""))
+    found = {(a.real, a.imag, b.real, b.imag) for item in lines for a, b in item.strokes}
+    assert found == FORM
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+def test_no_name_leaves_its_cell(text):
+    lines, letters = form(stamped(text))
+    lines = [(a, b) for item in lines for a, b in item.strokes]
+    for one in letters:
+        left, bottom, right, top = one.box
+        assert min(run.tall for run in one.runs) >= 3.5
+        assert left >= 0 and right <= 185 and bottom >= -0.7 and top <= 55
+        for a, b in lines:
+            if a.real == b.real and min(a.imag, b.imag) < one.at.imag < max(a.imag, b.imag):
+                assert right <= a.real or left >= a.real
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+def test_hostile_names_stay_text(text):
+    sheet = Sheet("1_x", A1, (), stamped(text))
+    from tmm_report.figures.drawing import svg
+
+    written = svg(sheet.drawing).encode("utf-8", "strict")
+    root = ElementTree.fromstring(written)
+    assert {element.tag for element in root.iter()} <= {
+        SVG + tag for tag in ("svg", "g", "path", "title", "circle")
+    }
+
+
+def figure(drawing: Drawing, *title) -> sheets.Figure:
+    return sheets.Figure(drawing, "forces", title)
+
+
+@pytest.mark.parametrize(
+    ("long", "name"), [(900.0, "A0"), (1500.0, "A0x2"), (2300.0, "A0x3"), (30000.0, "A0x3")]
+)
+def test_what_a1_does_not_hold_has_larger_paper_or_a_ratio(long, name):
+    found = list(
+        sheets._sheets([figure(Drawing((line(0j, complex(long, 40.0)),)), "План")], Translator("ru"))
+    )
+    assert [size.name for size, _ in found] == [name]
+    drawn, title = found[0][1][0], said(found[0][1][0])
+    [(start, end)] = drawn.items[0].strokes
+    ratio = re.search(r"\(1:(\d+)\)", title)
+    assert (ratio is None) == (long < 2400)
+    assert abs(end - start) * float(ratio[1] if ratio else 1) == pytest.approx(abs(complex(long, 40.0)))
+
+
+def test_what_one_sheet_does_not_hold_goes_on_to_the_next():
+    many = [figure(Drawing((line(0j, 300 + 250j),)), f"План {n}") for n in range(9)]
+    found = list(sheets._sheets(many, Translator("ru")))
+    assert len(found) >= 3 and all(size.name == "A1" for size, _ in found[:-1])
+    titles = [said(block) for _, blocks in found for block in blocks]
+    assert sorted(titles) == sorted(f"План {n}" for n in range(9))
+
+
+def test_a_small_picture_has_small_paper():
+    [(size, _)] = sheets._sheets([figure(Drawing((line(0j, 100 + 60j),)), "План")], Translator("ru"))
+    assert size.name == "A4"
+    assert not placed(size, [figure(Drawing((line(0j, 186 + 10j),)), "План").block(1.0, Translator("ru"))])
+
+
+def test_a_variant_without_a_picture_is_told_so(monkeypatch):
+    monkeypatch.setattr(sheets, "figures", lambda results, tr: [])
+    with pytest.raises(ProblemError, match="no picture"):
+        render(solved("rotor"), "sheets")
+
+
+def test_names_of_the_variant_stand_in_the_title_block():
+    results = solved("compressor")
+    title = replace(results.variant.title, designation="ТММ.07.00.000", student="Ильина А. А.")
+    changed = replace(results, variant=replace(results.variant, title=title))
+    for sheet in sheets.composed(changed, translator(results.variant)):
+        written = {"".join(map(str, one.parts)) for one in sheet.frame[1]}
+        assert {"ТММ.07.00.000", "Ильина А. А.", f"Лист {sheet.said.number}", "Листов 4"} <= written

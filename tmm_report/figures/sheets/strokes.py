@@ -1,0 +1,165 @@
+"""Letters of GOST 2.304 as strokes: narrow ones as of type A, with lines of a tenth of their height.
+
+The glyphs are those of NewStroke (see templates/fonts), narrowed; a letter that it lacks is a box.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache, cached_property, lru_cache
+from typing import Literal, NamedTuple
+
+from tmm_report.figures.lettering import Part, Parts
+from tmm_report.figures.primitives import Box, Path, Pen
+from tmm_report.records import dataclass
+from tmm_report.resources import data_root
+
+SMALLEST = 3.5  # mm: height of capitals on a sheet, indices among them
+SIZES = (3.5, 5.0, 7.0, 10.0)
+NARROW = 0.72  # of the glyphs' own width: what is left is that of type A, some 0.6 of the height with the gap
+LINE = 0.1  # of a letter, in its heights
+BELOW, ABOVE = 0.34, 1.0  # what letters reach below and above their baseline, in their heights
+DROP, RAISE, BAR = (
+    0.45,
+    0.6,
+    1.2,
+)  # how far indices stand below and above, and a vector's bar, in heights of the base
+UNIT = 21.0  # of the glyphs' grid: the height of a capital
+
+Stroke = tuple[complex, ...]
+
+
+class Glyph(NamedTuple):
+    """Strokes of a letter one high, and how far the next stands."""
+
+    strokes: tuple[Stroke, ...]
+    advance: float
+
+
+class Run(NamedTuple):
+    """A piece of a text: where its baseline begins, its height, and whether a bar stands over it."""
+
+    text: str
+    at: complex
+    tall: float
+    bar: bool = False
+
+
+@cache
+def _glyphs() -> dict[str, str]:
+    lines = (data_root() / "templates" / "fonts" / "strokes.txt").read_text("utf-8").split("\n")
+    return {line[0]: line[1:] for line in lines if line}
+
+
+@lru_cache(maxsize=4096)
+def glyph(char: str) -> Glyph:
+    code = _glyphs().get(char)
+    if code is None:
+        return Glyph(((0.1 + 0j, 0.7 + 0j, 0.7 + 1j, 0.1 + 1j, 0.1 + 0j),), 0.8 * NARROW)
+    start, end = (ord(mark) - ord("R") for mark in code[:2])
+    strokes = [_stroke(one, start) for one in code[2:].split(" R")]
+    return Glyph(tuple(one for one in strokes if one), NARROW * (end - start) / UNIT)
+
+
+def _stroke(code: str, start: int) -> Stroke:
+    """Pairs of letters, counted from R: to the right, and down from what is 9 under the line of capitals."""
+    pairs = zip(code[::2], code[1::2], strict=False)
+    return tuple(complex(NARROW * (ord(x) - 82 - start), 9 - (ord(y) - 82)) / UNIT for x, y in pairs)
+
+
+def run_width(text: str, tall: float) -> float:
+    return tall * sum(glyph(char).advance for char in text)
+
+
+def plain(text: str) -> str:
+    """A text on one line: what is no sign at all is a space."""
+    return "".join(char if char.isprintable() else " " for char in text).replace("№", "Nº")
+
+
+@dataclass(frozen=True)
+class Letters:
+    """A text on a sheet: its middle in height, its left (-1), middle (0) or right end (1) by `align`; `tall`: of its
+    capitals, mm; `squeeze`: by how much narrower it is than its letters are usually."""
+
+    at: complex
+    parts: Parts
+    tall: float = SMALLEST
+    align: Literal[-1, 0, 1] = -1
+    squeeze: float = 1.0
+
+    @cached_property
+    def wide(self) -> float:
+        return self.squeeze * _laid(self.parts, self.tall)[1]
+
+    @cached_property
+    def runs(self) -> tuple[Run, ...]:
+        """On the sheet."""
+        start = self.at - 0.5j * self.tall - self.wide * (1 + self.align) / 2
+        return tuple(
+            one._replace(at=start + complex(self.squeeze * one.at.real, one.at.imag))
+            for one in _laid(self.parts, self.tall)[0]
+        )
+
+    @cached_property
+    def box(self) -> Box:
+        left = self.at.real - self.wide * (1 + self.align) / 2
+        low = min([one.at.imag - BELOW * one.tall for one in self.runs], default=self.at.imag)
+        high = max(
+            [one.at.imag + (BAR if one.bar else ABOVE) * one.tall for one in self.runs], default=self.at.imag
+        )
+        return left, low, left + self.wide, high
+
+    @cached_property
+    def path(self) -> Path:
+        """As strokes."""
+        return Path(tuple(self._strokes()), Pen(LINE * self.tall))
+
+    def _strokes(self) -> Iterator[Stroke]:
+        for run in self.runs:
+            x = 0.0
+            for char in run.text:
+                strokes, advance = glyph(char)
+                for stroke in strokes:
+                    yield tuple(
+                        run.at + run.tall * complex(self.squeeze * (x + z.real), z.imag) for z in stroke
+                    )
+                x += advance
+            yield from self.bars(run)
+
+    def bars(self, run: Run) -> Iterator[Stroke]:
+        """The line over a run that is a vector."""
+        if run.bar:
+            over = run.at + 1j * BAR * run.tall
+            yield over, over + self.squeeze * run_width(run.text, run.tall)
+
+    def moved(self, by: complex) -> Letters:
+        return replace(self, at=self.at + by)
+
+
+@lru_cache(maxsize=4096)
+def _laid(parts: Parts, tall: float) -> tuple[tuple[Run, ...], float]:
+    """The runs of a text from zero on, and how wide they are."""
+    runs, x = list[Run](), 0.0
+    for part in parts:
+        found, x = _part(part, x, tall)
+        runs += found
+    return tuple(one for one in runs if one.text.strip()), x
+
+
+def _part(part: Part, x: float, tall: float) -> tuple[list[Run], float]:
+    if isinstance(part, str):
+        text = plain(part)
+        return [Run(text, complex(x), tall)], x + run_width(text, tall)
+    base, sub, sup = plain(part.base), plain(part.sub), plain(part.sup)
+    small = index_of(tall)
+    end = x + run_width(base, tall)
+    runs = [Run(base, complex(x), tall, part.bar)]
+    runs += [Run(sub, complex(end, -DROP * tall), small)] if sub else []
+    runs += [Run(sup, complex(end, RAISE * tall), small)] if sup else []
+    return runs, end + max(run_width(sub, small), run_width(sup, small))
+
+
+def index_of(tall: float) -> float:
+    """Capitals of an index: the next smaller size, never under the smallest."""
+    return max([size for size in SIZES if size < tall], default=SMALLEST)

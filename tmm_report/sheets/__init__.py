@@ -1,0 +1,112 @@
+"""The drawing sheets of the project: the pictures of the note, by its chapters, on sheets with frame and title block.
+
+    files = render(results, translator)     # {"sheets/1_kinematics.svg": b"..."}
+
+A picture stands at the note's own size, each of its lengths the same. Where its title states what a millimetre stands
+for and the sheet has room, it is larger by a ratio of GOST 2.302 and the title says the scale that it has then.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from importlib.util import find_spec
+
+from tmm_report.course import Results
+from tmm_report.figures.sheets.form import Said
+from tmm_report.figures.sheets.sheet import FORMATS, LARGEST, Block, Format, Sheet, placed
+from tmm_report.i18n import Translator
+from tmm_report.problems import N_, Message, Problem, ProblemError
+from tmm_report.report.numbering import Numbering
+from tmm_report.report.page import Page
+from tmm_report.report.paper.frames import ROLES, WORDS
+from tmm_report.sheets.pictures import KINDS, Figure, Kept, figures
+
+LARGER = (2.0, 2.5, 4.0, 5.0)  # GOST 2.302
+SMALLER = (2.0, 2.5, 4.0, 5.0, 10.0, 15.0, 20.0, 25.0, 40.0, 50.0, 75.0, 100.0)
+FORM = WORDS | {"Масса": N_("Mass"), "Масштаб": N_("Scale"), "Формат": N_("Format")}
+ROLES_HERE = (*ROLES[:2], N_("Tech. check"), "", *ROLES[3:])
+
+
+def composed(results: Results, tr: Translator) -> list[Sheet]:
+    """The sheets in their order."""
+    drawn = figures(results, tr)
+    laid: list[tuple[str, str, Format, list[Block]]] = []
+    for kind, title in KINDS:
+        own = [one for one in drawn if one.kind == kind]
+        for n, (size, blocks) in enumerate(_sheets(own, tr)):
+            laid.append((f"{kind}_{n + 1}" if n else kind, title, size, blocks))
+    return [
+        Sheet(f"{n}_{name}", size, tuple(blocks), _said(results, tr, title, n, len(laid)))
+        for n, (name, title, size, blocks) in enumerate(laid, 1)
+    ]
+
+
+def _said(results: Results, tr: Translator, sheet: str, n: int, count: int) -> Said:
+    title, t = results.variant.title, tr.gettext
+    page = Page(Kept(), tr, Numbering())
+    people = [page.name(title.student), page.name(title.teacher), "", "", "", ""]
+    own = [page.name(text) for text in (title.institution, title.group) if text]
+    return Said(
+        page.name(title.designation), page.name(title.topic), t(sheet), ", ".join(own),
+        [(t(role) if role else "", name) for role, name in zip(ROLES_HERE, people, strict=True)],
+        "\N{EN DASH}", n, count, {word: t(text) for word, text in FORM.items()},
+    )  # fmt: skip
+
+
+def _sheets(figures: Sequence[Figure], tr: Translator) -> Iterator[tuple[Format, list[Block]]]:
+    """The smallest format that holds all of them, or as many of the largest as they need."""
+    left = list(figures)
+    while left:
+        blocks = [one.block(1.0, tr) for one in left]
+        size = next((one for one in FORMATS[: LARGEST + 1] if len(placed(one, blocks)) == len(left)), None)
+        if size is None:
+            size = FORMATS[LARGEST]
+            here = sorted(placed(size, blocks))
+        else:
+            here = list(range(len(left)))
+        if not here:  # even the first alone is too large
+            here, size = [0], _for_one(blocks[0])
+        yield size, _enlarged(size, [left[n] for n in here], tr)
+        left = [one for n, one in enumerate(left) if n not in here]
+
+
+def _for_one(one: Block) -> Format:
+    return next((size for size in FORMATS[LARGEST:] if placed(size, [one])), FORMATS[-1])
+
+
+def _enlarged(size: Format, figures: Sequence[Figure], tr: Translator) -> list[Block]:
+    """Each picture as large as there is room for, the most crowded first; one that no paper holds is smaller."""
+    blocks = [one.block(1.0, tr) for one in figures]
+    found = placed(size, blocks)
+    if len(found) < len(blocks):
+        small = (figures[0].block(1 / times, tr) for times in SMALLER)
+        return list(next(held for one in small if (held := placed(size, [one]))).values())
+    order = sorted((n for n, one in enumerate(figures) if one.scaled), key=lambda n: -figures[n].crowd)
+    for times in LARGER:
+        for n in list(order):
+            larger = [*blocks[:n], figures[n].block(times, tr), *blocks[n + 1 :]]
+            if len(tried := placed(size, larger)) == len(larger):
+                blocks, found = larger, tried
+            else:
+                order.remove(n)  # still larger it has no room either
+    return [found[n] for n in range(len(blocks))]
+
+
+def render(results: Results, tr: Translator) -> dict[str, bytes]:
+    """File name -> content: every sheet as SVG and, where ezdxf is installed, as DXF; all of them in one PDF. Raises
+    ProblemError of a variant without a picture."""
+    from tmm_report.figures.drawing import svg
+    from tmm_report.figures.sheets.pdf import pdf
+
+    sheets = composed(results, tr)
+    if not sheets:
+        raise ProblemError(
+            [Problem(Message(N_("there is nothing to draw on sheets: this variant has no picture")))]
+        )
+    files = {f"sheets/{one.name}.svg": svg(one.drawing).encode() for one in sheets}
+    files["sheets/sheets.pdf"] = pdf([one.drawing for one in sheets], sheets[0].said.name)
+    if find_spec("ezdxf"):
+        from tmm_report.figures.sheets.cad import dxf
+
+        files |= {f"sheets/{one.name}.dxf": dxf(one) for one in sheets}
+    return files

@@ -1,0 +1,171 @@
+"""The pictures of a note, the sheet to which each belongs, and its title with the scales that it states."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import field
+from typing import Any, NamedTuple
+
+from markupsafe import Markup
+
+from tmm_report import note
+from tmm_report.course import Results
+from tmm_report.figures.charts.graphs import Graph
+from tmm_report.figures.drawing import Drawing, Text
+from tmm_report.figures.lettering import Part as Piece
+from tmm_report.figures.lettering import Parts, lettered
+from tmm_report.figures.sheets.sheet import Block, Title, block
+from tmm_report.i18n import Translator
+from tmm_report.problems import N_
+from tmm_report.quantity.formula import Formula, Inline, VectorEquation
+from tmm_report.quantity.symbols import Symbol, math_symbol
+from tmm_report.quantity.text import number
+from tmm_report.quantity.written import Equation
+from tmm_report.records import dataclass
+from tmm_report.report import plain, written
+from tmm_report.report.formats import Tex
+from tmm_report.report.numbering import Numbering
+from tmm_report.report.page import Page
+from tmm_report.report.part import Part
+
+KINDS = (
+    ("kinematics", N_("Kinematic analysis")), ("forces", N_("Force analysis")), ("machine", N_("Machine in motion")),
+    ("gears", N_("Gear train")), ("cam", N_("Cam mechanism")),
+)  # fmt: skip
+FORCES = ("kinetostatics", "force_plans", "friction", "translation", "transmission", "press")
+MACHINE = ("reduction",)  # of the lever's chapters that which speaks of the machine
+MARK = "\N{NULL}"  # around the number of a scale in a title that is not yet written; in no text
+
+
+class Scale(NamedTuple):
+    """What a millimetre stands for, as a title says it."""
+
+    item: Inline
+
+    @property
+    def per_mm(self) -> bool:
+        return self.item.unit.endswith("/mm")
+
+    def written(self, times: float, tr: Translator) -> Parts:
+        one = self.item
+        text = number(one.value / times if self.per_mm else one.value, one.digits, tr.decimal)
+        return lettered(_sign(one.symbol), tr.gettext), f" = {text}{plain.gap(one.unit, tr)}"
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A picture of the note, the sheet it belongs to (of KINDS), and its title in pieces."""
+
+    drawing: Drawing
+    kind: str
+    title: tuple[str | Scale | Symbol, ...]
+
+    def titled(self, times: float, tr: Translator) -> Title:
+        """Word by word; what follows a symbol without a space stands with it."""
+        words: list[list[Piece]] = [[]]
+        for one in self.title:
+            if not isinstance(one, str):
+                words[-1] += (
+                    one.written(times, tr) if isinstance(one, Scale) else (lettered(one, tr.gettext),)
+                )
+                continue
+            first, *others = re.split(r"[ \t\n]+", one)
+            words[-1] += [first] if first else []
+            words += [[other] if other else [] for other in others]
+        if times != 1 and not self.scaled:
+            words.append([f"({_ratio(times, tr)})"])
+        return tuple(tuple(one) for one in words if one)
+
+    @property
+    def scaled(self) -> bool:
+        """Whether the title tells all of its scales, so that the picture may be larger."""
+        return any(isinstance(one, Scale) and one.per_mm for one in self.title) and not any(
+            re.search(r"\d:\d", one) for one in self.title if isinstance(one, str)
+        )
+
+    @property
+    def crowd(self) -> float:
+        """How many letters stand on a square millimetre of it."""
+        wide, tall = self.drawing.size
+        return sum(isinstance(one, Text) for one in self.drawing.items) / (wide * tall)
+
+    def block(self, times: float, tr: Translator) -> Block:
+        return block(self.drawing, self.titled(times, tr), times)
+
+
+def _ratio(times: float, tr: Translator) -> str:
+    return f"{number(times, 3, tr.decimal)}:1" if times > 1 else f"1:{number(1 / times, 3, tr.decimal)}"
+
+
+def _sign(symbol: Symbol | str) -> Symbol:
+    return math_symbol(symbol) if isinstance(symbol, str) else symbol
+
+
+@dataclass
+class Kept(Tex):
+    """A note of which only pictures and their titles are kept, the titles as plain text."""
+
+    kind: str = KINDS[0][0]
+    figures: list[Figure] = field(default_factory=list)
+    told: list[Scale | Symbol] = field(default_factory=list)
+
+    def escape(self, text: str) -> Markup:
+        return Markup(text)
+
+    def math(self, item: Any, tr: Translator, display: bool = False) -> Markup:
+        if isinstance(item, Inline):
+            self.told.append(Scale(item))
+            return Markup(f"{MARK}{len(self.told) - 1}{MARK}")
+        if isinstance(item, Formula | VectorEquation | Equation):
+            return Markup(plain.text(item, tr))
+        if isinstance(item, Symbol):
+            self.told.append(item)
+            return Markup(f"{MARK}{len(self.told) - 1}{MARK}")
+        return Markup("")
+
+    def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
+        return Markup("")
+
+    def placed(self, anchor: str, caption: Markup, drawn: Markup, picture: Drawing | Graph) -> Markup:
+        drawing = picture if isinstance(picture, Drawing) else picture.drawing
+        self.figures.append(Figure(drawing, self.kind, tuple(self._pieces(str(caption)))))
+        return Markup("")
+
+    def _pieces(self, caption: str) -> Iterator[str | Scale | Symbol]:
+        for n, piece in enumerate(caption.split(MARK)):
+            if n % 2 == 0:
+                yield piece
+                continue
+            yield self.told[int(piece)]
+
+
+class _Titled(Page):
+    """Titles of figures stand without their numbers in the note."""
+
+    def called(self, name: str, **values: Any) -> Markup:
+        return self.text(values["title"]) if name == "figure" else super().called(name, **values)
+
+
+def kind_of(template: str) -> str:
+    """The sheet of the chapter that prints this template."""
+    wing, _, rest = template.partition("/")
+    chapter = rest.partition("/")[0]
+    if wing in ("machine", "gears"):
+        return wing
+    if wing == "cams" or chapter == "cams":
+        return "cam"
+    return "forces" if chapter in FORCES else "machine" if chapter in MACHINE else "kinematics"
+
+
+def figures(results: Results, tr: Translator) -> list[Figure]:
+    """The pictures of the note in its order."""
+    form = Kept()
+    variant = results.variant
+    page = _Titled(form, tr, Numbering(), variant.note, variant.profile)
+
+    def before(part: Part) -> None:
+        form.kind = kind_of(part.template)
+
+    written(note.parts(results, page), variant.title, page, before)
+    return form.figures
