@@ -6,23 +6,20 @@ write to or the size of the task is wrong, and nothing was written; 130 stopped 
 
 from __future__ import annotations
 
-import atexit
-import gc
-import os
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from tmm_report import languages
 from tmm_report.problems import N_, Message
-from tmm_report.terminal import Console, PdfMayStandAlone, console_of, ended, users_language
-
-if TYPE_CHECKING:
-    from tmm_report.commands.streams import Careful
+from tmm_report.terminal import (
+    PdfMayStandAlone, Spoken, complete, console_of, ended, for_one_command, lost, see_alone,
+)
 
 app = typer.Typer(
+    cls=Spoken,
     add_completion=False,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
@@ -39,11 +36,13 @@ Jobs = Annotated[
     typer.Option("--jobs", help="Processes; by default as many as there are cores.", show_default=False),
 ]
 Seconds = Annotated[float, typer.Option("--seconds", help="A variant that takes longer is given up.")]
+Quiet = Annotated[bool, typer.Option("--quiet", help="Say only what is wrong.")]
 VariantFile = Annotated[Path, typer.Argument(help="The variant, a YAML file.", show_default=False)]
 
 
 def main() -> None:
-    _for_one_command()
+    for_one_command(app)
+    complete()
     from tmm_report.commands.streams import careful, see_open
 
     see_open()
@@ -52,35 +51,7 @@ def main() -> None:
     try:
         app()
     except SystemExit as end:
-        sys.exit(_ended(end.code, out))
-
-
-def _ended(code: str | int | None, out: Careful) -> str | int | None:
-    """The exit code, where what was said may have been lost on the way out."""
-    out.flush()
-    if out.error is None:
-        return code
-    from tmm_report.commands.talk import reason
-
-    text = Message(N_("the standard output could not be written: %(reason)s"), {"reason": reason(out.error)})
-    Console(users_language()).warn(text)
-    return code or 1
-
-
-def _for_one_command() -> None:
-    """What makes a process that runs one command and ends start and end sooner."""
-    # What is built lives until the end: looking through it for rings every few hundred objects, and once more on the
-    # way out, finds next to nothing and takes a tenth of the time: the note of a usual variant is done before the first
-    # look. A batch of hundreds of variants is still collected.
-    gc.set_threshold(300_000)
-    atexit.register(gc.freeze)
-    # Plugins of other packages would be looked for among everything installed, and run on text that nobody has checked.
-    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
-    # The options of the other commands would be read from their signatures, and never be asked for.
-    asked = [
-        one for one in app.registered_commands if sys.argv[1:2] == [getattr(one.callback, "__name__", "")]
-    ]
-    app.registered_commands = asked or app.registered_commands
+        sys.exit(lost(end.code, out))
 
 
 def _show_version(wanted: bool) -> None:
@@ -106,8 +77,13 @@ def solve(
     variant: VariantFile,
     output: Annotated[Path | None, typer.Option("-o", "--output", help="Folder for the note.")] = None,
     formats: Annotated[
-        str, typer.Option("--format", help="Any of html,tex,json,csv,png,dxf,sheets, joined by commas.")
-    ] = "html,tex",
+        str | None,
+        typer.Option(
+            "--format",
+            help="Any of html,tex,json,csv,png,dxf,sheets, joined by commas; by default html,tex, watched html alone.",
+            show_default=False,
+        ),
+    ] = None,
     lang: Language = None,
     depth: Annotated[
         str | None, typer.Option("--depth", help="How much the note says: short, course or full.")
@@ -136,16 +112,31 @@ def solve(
         ),
     ] = False,
     open_note: Annotated[bool, typer.Option("--open", help="Open the note in the browser.")] = False,
+    watched: Annotated[
+        bool,
+        typer.Option(
+            "--watch", help="Solve again as the file is saved, and keep live.html up to date, until Ctrl-C."
+        ),
+    ] = False,
+    quiet: Quiet = False,
 ) -> None:
     """Solve a variant and write its note."""
-    with console_of(lang) as console:
+    with console_of(lang, quiet) as console:
         console.stage(Message(N_("solving")))  # before the imports, which take time
+        if watched:
+            from tmm_report.commands import watch
+
+            see_alone(watched, {"--all": all_, "--pdf": bool(pdf), "--print": print_})
+            watch.run(
+                variant, output, formats or watch.FORMATS, lang, console, depth=depth, open_note=open_note
+            )
+            return
         from tmm_report.commands.solve import run
 
         done = run(
             variant,
             output,
-            formats,
+            formats or "html,tex",
             lang,
             console,
             depth=depth,
@@ -194,9 +185,10 @@ def new(
         str | None, typer.Option("--kind", help="lever, cam, drive or flywheel.", show_default=False)
     ] = None,
     lang: Language = None,
+    quiet: Quiet = False,
 ) -> None:
     """Write a commented starting variant. An existing file is not overwritten."""
-    with console_of(lang) as console:
+    with console_of(lang, quiet) as console:
         from tmm_report.commands.new import place, run
 
         done = run(place(file, output, like), console.language, console, like, kind, lang)
@@ -239,9 +231,10 @@ def gallery(
         Path, typer.Option("-o", "--output", help="Folder for the page and its pictures.")
     ] = Path("gallery"),
     lang: Language = None,
+    quiet: Quiet = False,
 ) -> None:
     """Solve every variant of a folder and write a page with their schemes and main numbers."""
-    with console_of(lang) as console:
+    with console_of(lang, quiet) as console:
         console.stage(Message(N_("solving")))
         from tmm_report.commands.gallery.run import run
 
@@ -262,9 +255,10 @@ def assemblies(
     ] = None,
     output: Annotated[Path | None, typer.Option("-o", "--output", help="Folder for the page.")] = None,
     lang: Language = None,
+    quiet: Quiet = False,
 ) -> None:
     """List and draw every way in which the mechanism can be put together, each with its sketch for the variant."""
-    with console_of(lang) as console:
+    with console_of(lang, quiet) as console:
         console.stage(Message(N_("looking for assemblies")))
         from tmm_report.commands.assemblies.run import run
 
@@ -289,9 +283,10 @@ def methods(
     ] = "html,json",
     quick: Annotated[bool, typer.Option("--quick", help="Measure the times roughly.")] = False,
     lang: Language = None,
+    quiet: Quiet = False,
 ) -> None:
     """Run every method that can solve a variant: times, errors against 40 digits, the cheapest that is good enough."""
-    with console_of(lang) as console:
+    with console_of(lang, quiet) as console:
         console.stage(Message(N_("solving")))
         from tmm_report.commands.methods.run import run
 
@@ -340,9 +335,10 @@ def batch(
         ),
     ] = None,
     lang: Language = None,
+    quiet: Quiet = False,
 ) -> None:
     """Solve and write up many variants; what was done already is not done again with --resume."""
-    with console_of(lang) as console:
+    with console_of(lang, quiet) as console:
         console.stage(Message(N_("looking for variants")))
         from tmm_report.commands.batch.run import run
 
@@ -393,9 +389,10 @@ def grade(
     jobs: Jobs = None,
     seconds: Seconds = 60.0,
     lang: Language = None,
+    quiet: Quiet = False,
 ) -> None:
     """Mark students' own numbers: feedback for each, a gradebook and statistics for the teacher."""
-    with console_of(lang) as console:
+    with console_of(lang, quiet) as console:
         console.stage(Message(N_("solving")))
         if template is not None:
             from tmm_report.commands.grade.sheet import run as write_sheet
@@ -422,9 +419,10 @@ def check(
         typer.Option("--junit", help="Also write JUnit XML for a CI service.", show_default=False),
     ] = None,
     lang: Language = None,
+    quiet: Quiet = False,
 ) -> None:
     """Solve sample variants anew and compare numbers and notes with what is stored; exit code 1 on a difference."""
-    with console_of(lang) as console:
+    with console_of(lang, quiet) as console:
         console.stage(Message(N_("solving")))
         from tmm_report.commands.check.run import run
 
@@ -467,9 +465,10 @@ def assign(
         typer.Option("--variants", help="Also write a variant a student into a folder.", show_default=False),
     ] = None,
     lang: Language = None,
+    quiet: Quiet = False,
 ) -> None:
     """Draw individual variants from ranges, every one solvable, no two alike, as a table a row a student."""
-    with console_of(lang) as console:
+    with console_of(lang, quiet) as console:
         console.stage(Message(N_("drawing variants")))
         from tmm_report.commands.assign import run
 

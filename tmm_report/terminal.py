@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
+import atexit
+import gc
 import locale
 import os
 import sys
 import threading
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import typer
-from typer.core import TyperCommand
+from typer.core import TyperCommand, TyperGroup
 
 from tmm_report import languages
 from tmm_report.problems import N_, Message, Problem, ProblemError
+
+if TYPE_CHECKING:
+    from tmm_report.commands.streams import Careful
 
 
 def ended(done: bool) -> None:
@@ -24,10 +29,17 @@ def ended(done: bool) -> None:
         raise typer.Exit(1)
 
 
+def see_alone(asked: bool, others: Mapping[str, bool]) -> None:
+    """See that --watch stands without what takes longer than a round of it. Raises ProblemError."""
+    if asked and (beside := ", ".join(name for name, given in others.items() if given)):
+        text = N_("--watch: without %(words)s; solve once more with it when the variant is right")
+        raise ProblemError([Problem(Message(text, {"words": beside}))])
+
+
 @contextmanager
-def console_of(lang: str | None) -> Iterator[Console]:
+def console_of(lang: str | None, quiet: bool = False) -> Iterator[Console]:
     """The terminal in the language asked for, or in the user's own. A user's mistakes are printed, exit code 2."""
-    console = Console(users_language())
+    console = Console(users_language(), quiet)
     try:
         if lang is not None:
             console.speak(_known(lang))
@@ -73,8 +85,9 @@ def users_language() -> str:
 class Console:
     """The user's terminal as the `Talk` of a command; what is being done is shown when it takes over a second."""
 
-    def __init__(self, language: str):
-        self.language = language
+    def __init__(self, language: str, quiet: bool = False):
+        """`quiet`: only what is wrong is said."""
+        self.language, self.quiet = language, quiet
         self._doing, self._shown = Message(""), False
         self.warned = False
         self._timer: threading.Timer | None = None
@@ -86,13 +99,19 @@ class Console:
         self._doing = doing
         if self._shown:
             self._show()
-        elif self._timer is None and sys.stderr.isatty():
+        elif self._timer is None and not self.quiet and sys.stderr.isatty():
             self._timer = threading.Timer(1.0, self._show)
             self._timer.daemon = True
             self._timer.start()
 
     def tell(self, line: Message | str) -> None:
-        self._print(line if isinstance(line, str) else line.render(self._say), err=False)
+        if self.quiet:
+            return
+        if (cells := getattr(line, "cells", None)) and colours():
+            self.wipe()
+            typer.echo(_painted(cells))
+        else:
+            self._print(line if isinstance(line, str) else line.render(self._say), err=False)
 
     def warn(self, line: Message | Problem | str) -> None:
         self.warned = True
@@ -122,6 +141,19 @@ class Console:
         typer.echo(_clean(text), err=err)
 
 
+def colours() -> bool:
+    """Whether the standard output is a terminal that shows colours, and they are wanted (https://no-color.org)."""
+    return sys.stdout.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
+
+
+STYLES: tuple[dict[str, Any], ...] = ({}, {"fg": "cyan"}, {"bold": True}, {"dim": True})
+"""Of the cells of a table: what it is, its symbol, its number, its unit."""
+
+
+def _painted(cells: Sequence[str]) -> str:
+    return " ".join(typer.style(_clean(cell), **style) for cell, style in zip(cells, STYLES, strict=True))
+
+
 def _clean(text: str) -> str:
     """Text for the terminal: no control, format or bidirectional characters, which could forge what is shown."""
     return "".join(
@@ -149,3 +181,98 @@ def _with_program(args: list[str]) -> list[str]:
             named[-1] = "--pdf=any"
         named.append(one)
     return [*named[:-1], "--pdf=any"] if named[-1:] == ["--pdf"] else named
+
+
+# ---------------------------------------------------------------- help and the shell
+
+
+class Spoken(TyperGroup):
+    """The commands: their help, and what is said of mistakes of the command line, in the user's language."""
+
+    def main(self, args: Sequence[str] | None = None, *more: Any, **named: Any) -> Any:
+        given = list(sys.argv[1:] if args is None else args)
+        _speak(self, users_language(), "--help" in given or not given)
+        return super().main(args, *more, **named)
+
+
+def _speak(group: TyperGroup, language: str, helping: bool) -> None:
+    """The words of typer itself come by gettext of the standard library, as those of any program."""
+    import gettext
+
+    if languages.LANGUAGES[language].ids:
+        gettext.textdomain("messages")
+        return
+    from tmm_report.i18n import DOMAIN, Translator
+    from tmm_report.resources import data_root
+
+    gettext.bindtextdomain(DOMAIN, str(data_root() / "templates" / "locale"))
+    gettext.textdomain(DOMAIN)
+    if not any(os.environ.get(name) for name in ("LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG")):
+        os.environ["LANGUAGE"] = language  # Windows, whose language gettext does not ask for
+    if helping:
+        say = Translator(language).gettext
+        for command in (group, *group.commands.values()):
+            command.context_class = _speaking(command.context_class, say)
+            command.help = say(command.help or "")
+            for one in command.params:
+                if getattr(one, "help", None):
+                    one.help = say(one.help)  # type: ignore[attr-defined]
+
+
+def _speaking(context: Any, say: Callable[[str], str]) -> Any:
+    """A context of a command whose help has typer's own words in another language, those that it does not ask for."""
+
+    class Formatter(context.formatter_class):  # type: ignore[misc]
+        def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
+            super().write_usage(prog, args, prefix or f"{say('Usage:')} ")
+
+        def write_dl(self, rows: Sequence[tuple[str, str]], *more: Any, **named: Any) -> None:
+            super().write_dl([(name, say(text)) for name, text in rows], *more, **named)
+
+    return type(context.__name__, (context,), {"formatter_class": Formatter})
+
+
+OF_TYPER = (
+    N_("Usage:"), N_("Options"), N_("Arguments"), N_("Commands"), N_("Show this message and exit."), N_("required"),
+    N_("default: {default}"), N_("Missing command."), N_("No such command {name!r}."),
+)  # fmt: skip
+"""Words of typer that a user of this program meets."""
+
+
+def complete() -> None:
+    """What a shell asks when the user presses Tab; docs/first_hour.md says how it is switched on."""
+    if "_TMM_REPORT_COMPLETE" in os.environ:
+        from typer.completion import completion_init
+
+        completion_init()
+
+
+# ---------------------------------------------------------------- the process
+
+
+def for_one_command(app: typer.Typer) -> None:
+    """What makes a process that runs one command and ends start and end sooner."""
+    # What is built lives until the end: looking through it for rings every few hundred objects, and once more on the
+    # way out, finds next to nothing and takes a tenth of the time: the note of a usual variant is done before the first
+    # look. A batch of hundreds of variants is still collected.
+    gc.set_threshold(300_000)
+    atexit.register(gc.freeze)
+    # Plugins of other packages would be looked for among everything installed, and run on text that nobody has checked.
+    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+    # The options of the other commands would be read from their signatures, and never be asked for.
+    asked = [
+        one for one in app.registered_commands if sys.argv[1:2] == [getattr(one.callback, "__name__", "")]
+    ]
+    app.registered_commands = asked or app.registered_commands
+
+
+def lost(code: str | int | None, out: Careful) -> str | int | None:
+    """The exit code, where what was said may have been lost on the way out."""
+    out.flush()
+    if out.error is None:
+        return code
+    from tmm_report.commands.talk import reason
+
+    text = Message(N_("the standard output could not be written: %(reason)s"), {"reason": reason(out.error)})
+    Console(users_language()).warn(text)
+    return code or 1

@@ -13,12 +13,14 @@ from datetime import UTC, datetime
 from functools import cache
 from pathlib import Path
 
+import typer
 import yaml
 from babel.messages.catalog import Catalog, Message
 from babel.messages.extract import DEFAULT_KEYWORDS, extract_from_dir
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po, write_po
 
+from tmm_report.cli import app
 from tmm_report.languages import LANGUAGES
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -36,7 +38,7 @@ UNDATED = datetime(2000, 1, 1, tzinfo=UTC)  # a date would change the file at ev
 @cache
 def extracted() -> tuple[tuple[str, str | tuple[str, ...], str | None], ...]:
     """(file, message id, context) of every text of the program and its templates."""
-    return tuple(_extracted())
+    return (*_extracted(), *_of_the_command_line())
 
 
 def _extracted() -> Iterator[tuple[str, str | tuple[str, ...], str | None]]:
@@ -47,6 +49,15 @@ def _extracted() -> Iterator[tuple[str, str | tuple[str, ...], str | None]]:
         for file, _, message, _, context in found:
             if message:
                 yield f"{folder}/{Path(file).as_posix()}", message, context
+
+
+def _of_the_command_line() -> Iterator[tuple[str, str, None]]:
+    """Help of the commands and of their options."""
+    group = typer.main.get_group(app)
+    for command in (group, *group.commands.values()):
+        for one in (command, *command.params):
+            if help_of := getattr(one, "help", None):
+                yield "tmm_report/cli.py", help_of, None
 
 
 def po_file(language: str) -> Path:

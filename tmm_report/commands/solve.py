@@ -8,11 +8,12 @@ from pathlib import Path
 
 from tmm_report import __version__
 from tmm_report import solve as solve_variant
-from tmm_report.commands.files import FORMATS, combinations, for_typst, render
-from tmm_report.commands.talk import Talk, failure, reason, unwritable, written
+from tmm_report.commands.files import FORMATS, combinations, for_typst, render, translator
+from tmm_report.commands.talk import Talk, failure, in_columns, reason, unwritable, written
 from tmm_report.commands.whole import Put, put
 from tmm_report.course import DEPTHS, Depth, LeverFound, Results, doubts, sound
 from tmm_report.course import summary as in_short
+from tmm_report.interactive.brief import rows
 from tmm_report.loading import loads, stated
 from tmm_report.problems import N_, Message
 from tmm_report.running.journal import digest
@@ -65,6 +66,8 @@ def run(
     no_pdf += _add_print(results, language, files, talk) if print_it else []
     changed = _put(folder, files, digest(__version__, text, department.told if department else b""))
     good = summary(results, talk)
+    for row in in_columns(rows(results, translator(results.variant, language))):
+        talk.tell(row)
     _control(files, folder, talk)
     talk.tell(written(*(folder / name for name in _shown(files))))
     tell_changed(folder, changed, talk)
@@ -73,7 +76,7 @@ def run(
     if "sheets" in wanted and not any(name.startswith("sheets/") and name.endswith(".dxf") for name in files):
         talk.warn(Message(NO_EZDXF))
     if open_note:
-        _open(folder / "note.html")
+        opened(folder / "note.html")
     return good and not no_pdf
 
 
@@ -203,7 +206,7 @@ def _shown(files: Collection[str]) -> list[str]:
     return [name for name in files if "/" not in name] + [part + "/" for part in parts]
 
 
-def _open(note: Path) -> None:
+def opened(note: Path) -> None:
     import webbrowser
 
     webbrowser.open(note.resolve().as_uri())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Protocol
 
@@ -27,6 +28,24 @@ class Talk(Protocol):
 
     def warn(self, line: Message | Problem | str) -> None:
         """A line of what went wrong."""
+
+
+class Row(str):
+    """A line of a table, with its cells at their widths: a terminal may colour them."""
+
+    cells: Sequence[str]
+
+    def __new__(cls, cells: Sequence[str], widths: Sequence[int]) -> Row:
+        wide = [cell.ljust(width) for cell, width in zip(cells, widths, strict=True)]
+        row = super().__new__(cls, " ".join(wide).rstrip())
+        row.cells = wide
+        return row
+
+
+def in_columns(rows: Sequence[Sequence[str]]) -> list[Row]:
+    """The lines of a table."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return [Row(row, widths) for row in rows]
 
 
 def written(*places: Path | str) -> Message:

@@ -5,6 +5,7 @@ from faults import Fault
 ROOM = "tmm_report/interactive/"
 ASKED = ("tests/interactive/test_interactive.py",)
 BEGUN = ("tests/commands/test_new_and_examples.py",)
+WATCHED, SHOWN = ("tests/terminal/test_watch.py",), ("tests/terminal/test_terminal.py",)
 FAULTS = (
     Fault("a first hour: any kind is that of levers", "tmm_report/commands/examples.py",
           "any(block in self.blocks for block in KINDS[kind])", "True", tests=BEGUN),
@@ -26,4 +27,23 @@ FAULTS = (
           "dict(zip(paths, row, strict=True))", "dict(zip(paths, rows[0], strict=True))", tests=ASKED),
     Fault("a first hour: what cannot be solved is 0", ROOM + "sweeps.py", "np.full(shape, np.nan)",
           "np.zeros(shape)", tests=ASKED),
+    Fault("a first hour: after mistakes the old note stays", "tmm_report/commands/watch.py",
+          "page = mistakes(error, said)", 'page = (folder / "note.html").read_bytes()', tests=WATCHED),
+    Fault("a first hour: the page of a watch goes back to its top", "templates/live.js",
+          "if (isNote) store(here());", "", tests=WATCHED),
+    Fault("a first hour: mistakes forget the place in the note", "templates/live.js",
+          "if (isNote) store(here());", "store(here());", tests=WATCHED),
+    Fault("a first hour: the department's file is not watched", "tmm_report/commands/watch.py",
+          "files = [variant, *(variant.parent / name for name in (*NAMES, *TEMPLATES))]", "files = [variant]",
+          tests=WATCHED),
+    Fault("a first hour: the live page stays behind", "tmm_report/commands/watch.py", "(folder / name).unlink()",
+          "pass", tests=WATCHED),
+    Fault("a first hour: colours though they are not wanted", "tmm_report/terminal.py",
+          'and not os.environ.get("NO_COLOR")', "", tests=SHOWN),
+    Fault("a first hour: coloured cells are not cleaned", "tmm_report/terminal.py",
+          "typer.style(_clean(cell), **style)", "typer.style(cell, **style)", tests=SHOWN),
+    Fault("a first hour: quiet talks", "tmm_report/terminal.py", "        if self.quiet:\n            return\n", "",
+          tests=SHOWN),
+    Fault("a first hour: help of commands alone is translated", "tmm_report/terminal.py",
+          "one.help = say(one.help)", "one.help = one.help", tests=SHOWN),
 )  # fmt: skip

@@ -1,0 +1,145 @@
+"""What the terminal shows: a short table, in colour where it is a terminal; quiet; help in the user's language."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+from conftest import solved
+from notes import VARIANTS
+from typer.testing import CliRunner
+
+from tmm_report.cli import app
+from tmm_report.commands.talk import in_columns
+from tmm_report.i18n import Translator
+from tmm_report.interactive.brief import rows
+from tmm_report.terminal import Console
+
+SHAPER = VARIANTS / "shaper.yaml"
+
+
+def run(*arguments: object, **env: str):
+    return CliRunner().invoke(app, [str(a) for a in arguments], env={"LANG": "C", "LC_ALL": "C", **env})
+
+
+def test_the_table_says_what_a_student_looks_for(tmp_path):
+    done = run("solve", SHAPER, "-o", tmp_path, "--format", "json", "--lang", "en")
+    assert re.search(r"^stroke of slider D +H_D +0\.396 +m$", done.output, re.M)
+    assert re.search(r"^time ratio of the strokes of D +K_D +1\.6281$", done.output, re.M)
+    assert re.search(r"^greatest velocity of D by size +V_D +2\.4568 m/s$", done.output, re.M)
+    assert re.search(r"^greatest balancing moment by size M_bal 274\.56 N·m$", done.output, re.M)
+
+
+def test_the_table_is_in_columns():
+    made = in_columns(rows(solved("compressor"), Translator("ru")))
+    assert len({tuple(map(len, row.cells)) for row in made}) == 1 and len(made) > 5
+    assert [" ".join(row.cells).rstrip() for row in made] == made
+
+
+@pytest.mark.parametrize(
+    ("terminal", "env", "coloured"),
+    [
+        (True, {}, True),
+        (True, {"NO_COLOR": "1"}, False),
+        (True, {"TERM": "dumb"}, False),
+        (False, {}, False),
+    ],
+)
+def test_colour_is_for_a_terminal_that_wants_it(monkeypatch, capsys, terminal, env, coloured):
+    for name in ("NO_COLOR", "TERM"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in env.items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.setattr("sys.stdout.isatty", lambda: terminal)
+    painted: list[str] = []
+    monkeypatch.setattr("tmm_report.terminal.typer.echo", lambda text, **_: painted.append(text))
+    (row,) = in_columns([("stroke", "H_D", "0.396", "m")])
+    Console("en").tell(row)
+    assert ("\x1b[" in painted[0]) is coloured
+    assert re.sub(r"\x1b\[[\d;]*m", "", painted[0]).rstrip() == "stroke H_D 0.396 m"
+
+
+@pytest.mark.parametrize(
+    "hostile", ["\x1b[2J", "\x1b]0;title\x07", "a\rb", "a\nb", "\u202etxt", "\x9b31m", "\x00"]
+)
+def test_a_hostile_name_breaks_out_of_no_cell(monkeypatch, hostile):
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True)
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    shown: list[str] = []
+    monkeypatch.setattr("tmm_report.terminal.typer.echo", lambda text, **_: shown.append(text))
+    (row,) = in_columns([(hostile, hostile, hostile, hostile)])
+    Console("en").tell(row)
+    left = re.sub(r"\x1b\[(0|1|2|36)m", "", shown[0])
+    assert left.isprintable() and "\N{REPLACEMENT CHARACTER}" in left
+
+
+def test_quiet_says_only_what_is_wrong(tmp_path):
+    done = run("solve", SHAPER, "-o", tmp_path / "a", "--format", "json", "--quiet")
+    assert done.exit_code == 0 and done.output == "" and (tmp_path / "a" / "results.json").is_file()
+    assert run("new", tmp_path / "n.yaml", "--quiet").output == ""
+    (tmp_path / "bad.yaml").write_text("mechanism: {}\n", encoding="utf-8")
+    done = run("solve", tmp_path / "bad.yaml", "-o", tmp_path / "b", "--quiet")
+    assert done.exit_code == 2 and "bad.yaml" in done.output
+
+
+def commands() -> list[str]:
+    return [command.callback.__name__ for command in app.registered_commands]
+
+
+def test_help_is_in_the_language_of_the_system():
+    """All of it: what is left in Latin letters are names of commands, files, formats and programs."""
+    russian = {"LANG": "ru_RU.UTF-8", "LC_ALL": ""}
+    for arguments in (["--help"], *([name, "--help"] for name in commands())):
+        text, english = run(*arguments, **russian).output, run(*arguments).output
+        assert text.startswith("Вызов: ") and english.startswith("Usage: "), text
+        assert "Показать эту справку и выйти." in text and "Show this message" in english
+        told = [line for line in re.findall(r" {2,}(\S.*)$", text, re.M) if not line.startswith(("-", "<"))]
+        foreign = [line for line in told if len(re.findall(r"\b[a-z]{3,} [a-z]{3,} [a-z]{3,}\b", line))]
+        assert foreign == [], arguments
+        assert not re.search("[а-я]", english)
+    assert "Команды 'nope' нет" in run("nope", **russian).output
+
+
+def test_help_loads_no_translations_for_who_solves():
+    program = (
+        "import sys; from tmm_report.cli import app\n"
+        "try: app(['solve', '--help'], standalone_mode=False)\nfinally: print('tmm_report.i18n' in sys.modules)"
+    )
+
+    def loaded(language: str) -> str:
+        env = os.environ | {"LANG": language, "LC_ALL": language}
+        done = subprocess.run(
+            [sys.executable, "-c", program], env=env, capture_output=True, text=True, check=True
+        )
+        return done.stdout.splitlines()[-1]
+
+    assert (loaded("C"), loaded("ru_RU.UTF-8")) == ("False", "True")
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_a_shell_is_told_how_to_complete(shell):
+    program = "import sys; sys.argv = ['tmm-report']; from tmm_report.cli import main; main()"
+    env = os.environ | {"_TMM_REPORT_COMPLETE": f"source_{shell}"}
+    done = subprocess.run([sys.executable, "-c", program], env=env, capture_output=True, text=True)
+    assert f"complete_{shell}" in done.stdout and "tmm-report" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("words", "found"),
+    [("tmm-report so", ["solve"]), ("tmm-report solve --wa", ["--watch"]), ("tmm-report zz", [])],
+)
+def test_words_are_completed(words, found):
+    program = "import sys; sys.argv = ['tmm-report']; from tmm_report.cli import main; main()"
+    asked = {
+        "_TMM_REPORT_COMPLETE": "complete_bash",
+        "COMP_WORDS": words,
+        "COMP_CWORD": str(words.count(" ")),
+    }
+    done = subprocess.run(
+        [sys.executable, "-c", program], env=os.environ | asked, capture_output=True, text=True
+    )
+    assert done.stdout.split() == found
