@@ -39,11 +39,11 @@ def values(results: Results) -> list[Value]:
 def sought(results: Results) -> Iterator[Value]:
     """The few numbers that a reader looks for first: stroke, time ratio, greatest velocity and moment, flywheel …"""
     for quantities, found in _rooms(results):
-        if hasattr(quantities, "sought"):
-            yield from quantities.sought(found)
-        elif hasattr(quantities, "SOUGHT"):
+        if hasattr(quantities, "headline"):
+            yield from quantities.headline(found)
+        elif hasattr(quantities, "HEADLINE"):
             by_key = {value.key: value for value in quantities.values(found)}
-            yield from (by_key[key] for key in quantities.SOUGHT if key in by_key)
+            yield from (by_key[key] for key in quantities.HEADLINE if key in by_key)
 
 
 def listings(results: Results, say: Callable[[str], str]) -> Iterator[tuple[str, list[str]]]:

@@ -182,7 +182,7 @@ def test_what_is_looked_for_first_agrees_with_the_whole_cycle():
     assert found["H_D"] == pytest.approx(places.max() - places.min(), rel=1e-5)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", many(["press_flywheel", *NAMES], 6))
 def test_what_is_looked_for_first_is_short_and_of_the_results(name):
     results = plainly_solved(name)
     found, every = list(sought(results)), {value.key: value.value for value in values(results)}

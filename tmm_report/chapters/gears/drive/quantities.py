@@ -25,7 +25,7 @@ from tmm_report.quantity.sheet import Row, columns
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
-SOUGHT = ("drive_u", "drive_delta_u", "drive_eta")  # what is looked for first
+HEADLINE = ("drive_u", "drive_delta_u", "drive_eta")  # what is looked for first
 
 EXTERNAL = NP_("index", "ext")
 STAGES = Message(N_("stages of the drive in the order of the power"))

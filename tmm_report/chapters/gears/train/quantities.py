@@ -14,7 +14,7 @@ from tmm_report.quantity.sheet import Row, columns
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
-SOUGHT = ("train_u", "train_delta_u", "train_eta")  # what is looked for first
+HEADLINE = ("train_u", "train_delta_u", "train_eta")  # what is looked for first
 
 ROWS = Message(N_("rows of the kinematic formula of the train"))
 RATIOS = Message(N_("ratios of the speeds of the members of the train"))

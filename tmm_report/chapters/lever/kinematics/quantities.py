@@ -257,7 +257,7 @@ def _of_travel(travel: Travel) -> Iterator[Value]:
         yield from ends
 
 
-def sought(found: Kinematics) -> Iterator[Value]:
+def headline(found: Kinematics) -> Iterator[Value]:
     """Of each output stroke or swing, time ratio and greatest speed; where it moves over the whole cycle."""
     for travel in () if found.gaps else found.travels:
         by_key = {value.key: value for value in _of_travel(travel)}

@@ -18,7 +18,7 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Table, Value, text_column
 from tmm_report.quantity.tabulated import tabulated
 
-SOUGHT = (
+HEADLINE = (
     "dynamics_omega_m",
     "dynamics_delta",
     "dynamics_t_start",

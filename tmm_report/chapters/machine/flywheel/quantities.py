@@ -12,7 +12,7 @@ from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Book, Column, Table, Value, text_column
 from tmm_report.quantity.tabulated import tabulated
 
-SOUGHT = ("flywheel_delta", "flywheel_J_fl", "flywheel_m", "flywheel_D")  # what is looked for first
+HEADLINE = ("flywheel_delta", "flywheel_J_fl", "flywheel_m", "flywheel_D")  # what is looked for first
 
 Array = Any
 

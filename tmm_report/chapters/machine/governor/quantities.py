@@ -23,7 +23,7 @@ from tmm_report.quantity.sheet import Q
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
-SOUGHT = (
+HEADLINE = (
     "governor_delta",
     "governor_effort",
     "governor_omega_0",

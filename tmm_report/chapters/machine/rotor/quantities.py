@@ -14,7 +14,7 @@ from tmm_report.quantity.sheet import Q
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
-SOUGHT = ("rotor_D", "rotor_M")  # what is looked for first
+HEADLINE = ("rotor_D", "rotor_M")  # what is looked for first
 
 if TYPE_CHECKING:
     from tmm_report.chapters.machine.rotor.solve import Found

@@ -14,7 +14,7 @@ from tmm_report.quantity.model import Book, Column, Quantity, Table, Value, text
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
-SOUGHT = ("travel_way", "travel_t_end", "travel_v_max")  # what is looked for first
+HEADLINE = ("travel_way", "travel_t_end", "travel_v_max")  # what is looked for first
 
 ROWS = 12  # of the table of the motion
 

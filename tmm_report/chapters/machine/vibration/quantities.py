@@ -15,7 +15,7 @@ from tmm_report.quantity.model import Column, Quantity, Table, Value, text_colum
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
-SOUGHT = ("vibration_natural", "vibration_amplitude", "vibration_ratio")  # what is looked for first
+HEADLINE = ("vibration_natural", "vibration_amplitude", "vibration_ratio")  # what is looked for first
 
 Array = Any
 PREFIX = "vibration"

@@ -44,7 +44,13 @@ from tmm_report.chapters.cams.cam.solve.found import Cams
 from tmm_report.quantity.model import Table, Value
 from tmm_report.quantity.tabulated import tabulated
 
-SOUGHT = ("cam_base", "cam_lift", "cam_alpha_rise", "cam_alpha_return", "cam_rho")  # what is looked for first
+HEADLINE = (
+    "cam_base",
+    "cam_lift",
+    "cam_alpha_rise",
+    "cam_alpha_return",
+    "cam_rho",
+)  # what is looked for first
 
 MOTION_OF = (displacement, first, second, velocity, acceleration, pressure)
 """What makes the quantities of the motion by positions, in their order."""

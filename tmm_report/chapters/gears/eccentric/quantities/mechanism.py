@@ -14,7 +14,7 @@ from tmm_report.quantity.model import Column, Quantity, Table, Value, text_colum
 from tmm_report.quantity.sheet import columns
 from tmm_report.quantity.tabulated import tabulated
 
-SOUGHT = ("eccentric_u_teeth", "eccentric_e")  # what is looked for first
+HEADLINE = ("eccentric_u_teeth", "eccentric_e")  # what is looked for first
 
 NUMBER_OF_WHEEL = Message(N_("number of the wheel"))
 CONCERNED = Message(N_("wheels concerned"))

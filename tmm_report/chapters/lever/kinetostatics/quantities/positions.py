@@ -406,7 +406,7 @@ def values(found: Kinetostatics) -> Iterator[Value]:
     yield replace(POWER_MISS, meaning=worst).value(found.worst_power)
 
 
-def sought(found: Kinetostatics) -> Iterator[Value]:
+def headline(found: Kinetostatics) -> Iterator[Value]:
     """The greatest balancing moment; where a stroke drives, the greatest force along it."""
     if found.kinematics.stroke is None and found.bounded:
         most, meaning = larger(found.extremes), Message(N_("greatest balancing moment by size"))
