@@ -15,7 +15,14 @@ import typer
 from tmm_report import languages
 from tmm_report.problems import N_, Message
 from tmm_report.terminal import (
-    PdfMayStandAlone, Spoken, complete, console_of, ended, for_one_command, lost, see_alone,
+    PdfMayStandAlone,
+    Spoken,
+    complete,
+    console_of,
+    ended,
+    for_one_command,
+    lost,
+    see_alone,
 )
 
 app = typer.Typer(
@@ -162,10 +169,7 @@ def schema(
     with console_of(lang) as console:
         from tmm_report.commands.schema import run, text
 
-        if output is None:
-            typer.echo(text())
-            return
-        done = run(output, console)
+        done = run(output, console) if output is not None else typer.echo(text()) is None
     ended(done)
 
 
