@@ -169,7 +169,9 @@ def schema(
     with console_of(lang) as console:
         from tmm_report.commands.schema import run, text
 
-        done = run(output, console) if output is not None else typer.echo(text()) is None
+        if output is None:
+            return typer.echo(text())
+        done = run(output, console)
     ended(done)
 
 
