@@ -40,12 +40,14 @@ function fellowsLight() {
 
 // ---- how a number comes about
 
-// The formula that defines a quantity: its result comes first among the marks of the formula.
+// The formula that defines a quantity: its result is the last number of the formula.
 function formulaOf(key, row) {
   const all = [...document.querySelectorAll("main .formula")].filter((f) => f.querySelector("[data-q]"));
-  const own = all.filter((f) => [...f.querySelectorAll("[data-q]")].at(-1).dataset.q === key || f.querySelector("[data-q]").dataset.q === key);
-  return own.find((f) => [...f.querySelectorAll("[data-q]")].some((x) => x.dataset.q === key && x.dataset.k === row)) ?? own[0];
+  const own = all.filter((f) => result(f).q === key);
+  return own.find((f) => result(f).k === row) ?? own[0];
 }
+
+const result = (formula) => [...formula.querySelectorAll("[data-q]")].at(-1).dataset;
 
 // The formula and those of what stands in it, in the order of the note.
 function derivation(key, row) {
@@ -72,7 +74,7 @@ function explain(one) {
   const close = () => box.close();
   box.append(element("button", { type: "button", class: "close", "aria-label": words.close, click: close }, "×"));
   const meaning = told("meanings", one.dataset);
-  box.append(element("p", { class: "head" }, meaning || q, k === undefined ? "" : `, ${words.position.toLowerCase()} ${k}`, ": ", element("b", {}, one.textContent)));
+  box.append(element("p", { class: "head" }, meaning || q, k === undefined || !one.dataset.t?.endsWith("_table") ? "" : `, ${words.position.toLowerCase()} ${k}`, ": ", element("b", {}, one.textContent)));
   const way = told("ways", one.dataset);
   if (way) box.append(element("p", {}, way));
   for (const formula of derivation(q, k)) {

@@ -1,7 +1,6 @@
 // Figures of the note that follow the position: plans and force polygons, cursors along the diagrams.
 // In print and where they were constructed they are as the note has them.
 
-const WIDE = 165; // mm that the text holds
 const originals = new Map(); // attribute by attribute, to be put back
 
 function change(one, name, to) {
@@ -51,8 +50,7 @@ function livePlan(figure, plan) {
   };
   const texts = [...all.querySelectorAll("text")].map((one) => [one, anchored(Number(one.getAttribute("x")), Number(one.getAttribute("y")))]);
   const dots = [...all.querySelectorAll("circle")].map((one) => [one, anchored(Number(one.getAttribute("cx")), Number(one.getAttribute("cy")))]);
-  const [wide, moved] = [svg.getAttribute("viewBox").split(" ").map(Number), reach(plan, svg)];
-  const larger = Math.max(1, moved[2] / WIDE); // so that letters are as large where the plan is made smaller
+  const own = svg.getAttribute("viewBox").split(" ").map(Number);
   const others = [...all.children].filter((one) => one.localName === "path");
   return () => {
     if (position() === plan.position) return restore(figure);
@@ -60,13 +58,20 @@ function livePlan(figure, plan) {
       const [x, y] = n ? [value(n[0]), value(n[1])] : [null, null];
       return x === null || y === null ? null : [x, y];
     });
+    // the figure keeps its room: a plan that does not fit is drawn smaller, its letters and lines are not
+    const box = reach(nodes, own);
+    const larger = Math.max(box[2] / own[2], box[3] / own[3]);
+    change(svg, "viewBox", box.join(" "));
+    change(figure, "data-now", `φ = ${text(where.at, 4)}°${larger > 1.001 ? `, ${text(1 / larger, 2)} : 1` : ""}`);
     for (const { one, from, to } of free) {
       const there = nodes[from] && nodes[to];
       change(one, "visibility", there ? "visible" : "hidden");
       if (!there) continue;
-      const [shaft, head] = arrow(nodes[from][0], -nodes[from][1], nodes[to][0], -nodes[to][1]);
+      const [shaft, head] = arrow(nodes[from][0], -nodes[from][1], nodes[to][0], -nodes[to][1], 3 * larger);
       change(one.children[0], "d", shaft);
       change(one.children[1], "d", head);
+      const thick = originals.get(one.children[0])["stroke-width"] ?? one.children[0].getAttribute("stroke-width");
+      if (thick) change(one.children[0], "stroke-width", thick * larger);
     }
     for (const [one, [a, b]] of [...texts, ...dots]) {
       const there = nodes[a] && nodes[b];
@@ -77,18 +82,13 @@ function livePlan(figure, plan) {
       change(one, "transform", `translate(${by[0] + x} ${-by[1] + y}) scale(${larger}) translate(${-x} ${-y})`);
     }
     for (const one of others) change(one, "visibility", "hidden"); // lines by which it was constructed
-    if (!moved.some((x, k) => Math.abs(x - wide[k]) > 0.01)) return;
-    change(svg, "viewBox", moved.join(" "));
-    change(svg, "width", `${moved[2]}mm`);
-    change(svg, "height", `${moved[3]}mm`);
   };
 }
 
-// What the plan needs in all positions, at its scale: left, top, width and height, mm, y down.
-function reach(plan, svg) {
-  const [x, y, w, h] = svg.getAttribute("viewBox").split(" ").map(Number);
-  const every = plan.nodes.filter(Boolean);
-  const [us, vs] = [0, 1].map((c) => every.flatMap((n) => n[c]).filter((z) => z !== null));
+// What the plan needs, its own room at least: left, top, width and height, mm, y down.
+function reach(nodes, [x, y, w, h]) {
+  const there = nodes.filter(Boolean);
+  const [us, vs] = [0, 1].map((c) => there.map((n) => n[c]));
   const [left, top] = [Math.min(x, Math.min(...us) - 5), Math.min(y, -Math.max(...vs) - 5)];
   return [left, top, Math.max(x + w, Math.max(...us) + 5) - left, Math.max(y + h, 5 - Math.min(...vs)) - top];
 }

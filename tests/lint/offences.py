@@ -164,7 +164,7 @@ OFFENCES = (
     Offence("a line through lettering", "crossed", HTML, line),
     # --- paper ---
     Offence("a table over the margin", "margin", HTML,
-            edit(HTML, r'(id="table5".*?<tr>.*?<th>)', r"\g<1><math><mn>" + "9" * 80 + "</mn></math>")),
+            edit(HTML, r'(id="table5".*?<tr>.*?<th[^>]*>)', r"\g<1><math><mn>" + "9" * 80 + "</mn></math>")),
     Offence("a formula over the margin", "margin", HTML,
             edit(HTML, r'(id="formula2\.7"><div class="math"><math>)',
                  r"\1<mn>" + "8" * 80 + "</mn>")),

@@ -35,6 +35,7 @@ def seen(name: str) -> dict[str, Any]:
         )
         found["keys"] = keys(talk)
         found["plans"] = run(talk, PLANS)
+        found["said_on_plan"] = run(talk, "document.getElementById(Object.keys(known.plans)[0]).dataset.now")
         found["explained"] = run(talk, EXPLAINED)
         found["titles"] = run(
             talk,
@@ -287,6 +288,11 @@ def test_rows_and_keys_follow(name):
 @pytest.mark.parametrize("name", NAMES)
 def test_plans_move_and_come_back_for_print(name):
     assert seen(name)["plans"] == [True, True, True]
+
+
+def test_a_plan_of_another_position_says_of_which():
+    """Its caption names the position in which it was constructed."""
+    assert re.fullmatch(r"φ = [\d,.]+°(, 0[,.]\d+ : 1)?", seen("compressor")["said_on_plan"])
 
 
 def test_a_click_tells_how_a_number_comes_about():

@@ -50,6 +50,7 @@ __all__ = [
     "AXIS",
     "COLOURS",
     "DASHED",
+    "FONTS",
     "HEAD",
     "NORMAL",
     "TEXT",
@@ -139,7 +140,7 @@ def together(places: Mapping[str, complex], within: float = 0.5) -> list[tuple[l
 
 # --- SVG ---
 
-_FONTS = "'Note Serif','Note Math','Times New Roman','Liberation Serif','DejaVu Serif',serif"
+FONTS = "'Note Serif','Note Math','Times New Roman','Liberation Serif','DejaVu Serif',serif"
 FAR = 1000.0  # mm: TeX knows no length over 5.7 m, and a browser counts in single precision
 
 
@@ -150,10 +151,10 @@ def _near_origin(drawing: Drawing) -> Drawing:
     return drawing.moved(-complex(left, bottom)) if far else drawing
 
 
-def svg(drawing: Drawing, turned: bool = False) -> str:
+def svg(drawing: Drawing, turned: bool = False, title: str = "") -> str:
     """The drawing as one `svg` element of its size in mm; no ids, no scripts, nothing fetched.
 
-    `turned`: by 90° clockwise, as a tall page lies with its binding above.
+    `turned`: by 90° clockwise, as a tall page lies with its binding above; `title`: of one that has none.
     """
     drawing = _near_origin(drawing)
     left, bottom, right, top = drawing.box
@@ -167,12 +168,13 @@ def svg(drawing: Drawing, turned: bool = False) -> str:
     look = 'fill="none" stroke-linecap="round" stroke-linejoin="round"' + (
         ' transform="rotate(90)"' if turned else ""
     )
-    style = f'<g {look} font-family="{_FONTS}" font-size="{TEXT}">'
+    style = f'<g {look} font-family="{FONTS}" font-size="{TEXT}">'
     places: list[complex] = []
     body = "".join([item.svg(places) for item in thinned(drawing.items) if not isinstance(item, Text)])
     texts = "".join([item.svg(places) for item in drawing.items if isinstance(item, Text)])
     drawn = with_places(f'{body}<g fill="#000000">{texts}</g>', places)
-    title = f"<title>{xml_text(drawing.title)}</title>" if drawing.title else ""
+    title = drawing.title or title
+    title = f"<title>{xml_text(title)}</title>" if title else ""
     return f"{head}{title}{style}{drawn}</g></svg>"
 
 

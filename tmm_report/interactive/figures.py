@@ -83,7 +83,7 @@ class _Gathering(Html):
         super().__init__()
         self.numbering, self.found = numbering, found
 
-    def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
+    def picture(self, picture: Drawing | Graph, anchor: str, caption: object = "") -> Markup:
         return Markup("")
 
     def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from tmm_report.course import INITIAL_DATA, Results, chapters, room
 from tmm_report.problems import Message
 from tmm_report.quantity.model import Column, Table
-from tmm_report.quantity.ways import STATED, Way, by_kind
+from tmm_report.quantity.ways import Way, by_kind
 from tmm_report.report.page import Page
 
 MOST = 400  # characters of a sentence
@@ -90,12 +90,12 @@ class _Named(NamedTuple):
 
 @cache
 def _telling(chapter: str) -> tuple[dict[str, list[_Named]], dict[str, list[_Named]]]:
-    """The ways that say more than that a number is given: by whole names, and, of those with stars, by their table, "*"
+    """The ways that say something: by whole names, and, of those with stars, by their table, "*"
     where a star stands in it."""
     whole: dict[str, list[_Named]] = {}
     starred: dict[str, list[_Named]] = {}
     for order, way in enumerate(room(chapter, "ways").WAYS):
-        for key in way.keys.split() if way.text and way.text != STATED else ():
+        for key in way.keys.split() if way.text else ():
             parts, table = key.split("*"), key.partition(".")[0]
             home = whole if len(parts) == 1 else starred
             at = key if len(parts) == 1 else "*" if "*" in table else table

@@ -103,5 +103,5 @@ class Listener(Html):
         last = self.numbering.sections[-1]
         return last._replace(title=Markup(last.title).striptags())
 
-    def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
+    def picture(self, picture: Drawing | Graph, anchor: str, caption: object = "") -> Markup:
         return Markup("")

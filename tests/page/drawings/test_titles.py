@@ -19,9 +19,15 @@ NAMED = (
 def test_a_title_is_plain_text(name, language):
     (text,) = (file.decode() for file in note(name, "html", language).values())
     titles = re.findall(r"<svg[^>]*><title>(.*?)</title>", text, re.DOTALL)
-    assert all(title.strip() for title in titles)
+    assert all(title.strip() for title in titles) and len(titles) == text.count("<figure ")
     for title in map(html.unescape, titles):
         assert not re.search(r"<|>|&\w*;|&#", title) and "data-q" not in title
+
+
+def test_heads_of_tables_say_what_they_head():
+    (text,) = (file.decode() for file in note("crank_rocker", "html", "en").values())
+    heads = re.findall(r"<th\b[^>]*>", text)
+    assert heads and set(heads) == {'<th scope="col">'}
 
 
 def test_the_scale_of_a_polygon_is_read_in_its_title():

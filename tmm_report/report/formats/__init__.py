@@ -10,12 +10,13 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import field
 from functools import lru_cache
+from html import unescape
 from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
 from markupsafe import Markup
 
 from tmm_report.figures.charts.graphs import Graph
-from tmm_report.figures.drawing import Drawing, svg, tikz
+from tmm_report.figures.drawing import FONTS, Drawing, svg, tikz
 from tmm_report.i18n import Translator
 from tmm_report.quantity.ref import Ref, attributes
 from tmm_report.quantity.symbols import GREEK, Notation, latex_escape, xml_escape
@@ -84,15 +85,24 @@ class Html(Flowing):
         text, share = broken(item.mathml(tr), self.paper.line) if display else (item.mathml(tr), 1.0)
         return Markup(text if share == 1 else f'<span style="font-size:{100 * share:.0f}%">{text}</span>')
 
-    def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
+    def picture(self, picture: Drawing | Graph, anchor: str, caption: object = "") -> Markup:
+        """Its name, read aloud to who cannot see it, is its own title, else what its caption says before the scales;
+        its letters are those of the page."""
         self.pictures[anchor] = picture
-        return Markup(svg(drawing_of(picture)))
+        drawing = svg(drawing_of(picture), title=_words(str(caption)))
+        return Markup(drawing.replace(_LETTERS, "", 1).replace('"#000000"', '"#000"'))
 
     def block(self, rows: Sequence[Row[Markup]]) -> Markup:
         """Rows of figures on a sheet, or one in the text."""
         figures = Markup("").join(map(_row, rows))
         sheet = rows[0].sheet
         return Markup(f'<div class="sheet {sheet.name}">\n{figures}</div>\n') if sheet else figures
+
+
+def _words(caption: str) -> str:
+    """What a caption says in plain text, without mathematics and what follows it."""
+    plain = unescape(re.sub("<[^>]*>", "", caption.partition("<math")[0]))
+    return plain.rstrip(" ,;:–—\N{NO-BREAK SPACE}\N{WORD JOINER}")
 
 
 def _row(row: Row[Markup]) -> Markup:
@@ -203,6 +213,8 @@ Format: TypeAlias = "Html | Tex | Typst"
 def drawing_of(picture: Drawing | Graph) -> Drawing:
     return picture if isinstance(picture, Drawing) else picture.drawing
 
+
+_LETTERS = f' font-family="{FONTS}"'
 
 # --- long words ---
 
