@@ -14,7 +14,7 @@ from drawn import VARIANTS, files_of, ink, said, sheets_of
 
 from tmm_report import render, sheets
 from tmm_report.commands.files import translator
-from tmm_report.figures.drawing import Drawing, Path, Text, line
+from tmm_report.figures.drawing import Drawing, Path, Pen, Text, line
 from tmm_report.figures.sheets.form import Said, form
 from tmm_report.figures.sheets.sheet import FORMATS, Sheet, placed
 from tmm_report.figures.sheets.strokes import Letters, glyph
@@ -265,3 +265,36 @@ def test_names_of_the_variant_stand_in_the_title_block():
     for sheet in sheets.composed(changed, translator(results.variant)):
         written = {"".join(map(str, one.parts)) for one in sheet.frame[1]}
         assert {"ТММ.07.00.000", "Ильина А. А.", f"Лист {sheet.said.number}", "Листов 4"} <= written
+
+
+@pytest.mark.parametrize("name", ("compressor", "press", "shaper_project"))
+def test_no_diagram_takes_the_room_of_a_plan(name):
+    """Where diagrams have been made larger, no plan of vectors that is as in the note has room to be."""
+    results = solved(name)
+    tr = translator(results.variant)
+    figures = sheets.figures(results, tr)
+    for sheet in sheets_of(name):
+        shown = {block.title: block for block in sheet.blocks}
+        same = [one for one in figures if one.scaled and not one.diagram and one.titled(1.0, tr) in shown]
+        for one in same:
+            large = one.block(2.0, tr)
+            kept = [block for title, block in shown.items() if title != one.titled(1.0, tr)]
+            least = [
+                next(
+                    (
+                        own.block(1.0, tr)
+                        for own in figures
+                        if own.diagram and block.title[:3] == own.titled(1.0, tr)[:3]
+                    ),
+                    block,
+                )
+                for block in kept
+            ]
+            assert len(placed(sheet.format, [*least, large])) < len(shown)
+
+
+def test_curves_told_apart_by_their_dashes_are_so_on_the_sheet():
+    dashes = ((), (1.0, 0.8), (3.0, 1.0), (5.0, 1.0), (2.4, 0.8, 0.5, 0.8), (3.2, 0.8, 0.5, 0.8, 0.5, 0.8))
+    drawn = Drawing(tuple(line(0j, 50 + 1j * n, Pen(0.4, dash=dash)) for n, dash in enumerate(dashes)))
+    block = figure(drawn, "План").block(1.0, Translator("ru"))
+    assert len({item.pen.dash for item in block.items}) == len(dashes)

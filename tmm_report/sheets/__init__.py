@@ -75,13 +75,17 @@ def _for_one(one: Block) -> Format:
 
 
 def _enlarged(size: Format, figures: Sequence[Figure], tr: Translator) -> list[Block]:
-    """Each picture as large as there is room for, the most crowded first; one that no paper holds is smaller."""
+    """Each picture as large as there is room for, schemes and plans before diagrams, the most crowded first; one that
+    no paper holds is smaller."""
     blocks = [one.block(1.0, tr) for one in figures]
     found = placed(size, blocks)
     if len(found) < len(blocks):
         small = (figures[0].block(1 / times, tr) for times in SMALLER)
         return list(next(held for one in small if (held := placed(size, [one]))).values())
-    order = sorted((n for n, one in enumerate(figures) if one.scaled), key=lambda n: -figures[n].crowd)
+    order = sorted(
+        (n for n, one in enumerate(figures) if one.scaled),
+        key=lambda n: (figures[n].diagram, -figures[n].crowd),
+    )
     for times in LARGER:
         for n in list(order):
             larger = [*blocks[:n], figures[n].block(times, tr), *blocks[n + 1 :]]

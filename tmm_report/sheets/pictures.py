@@ -55,11 +55,13 @@ class Scale(NamedTuple):
 
 @dataclass(frozen=True)
 class Figure:
-    """A picture of the note, the sheet it belongs to (of KINDS), and its title in pieces."""
+    """A picture of the note, the sheet it belongs to (of KINDS), its title in pieces, and whether it is a
+    graph, which is read by its numbers and not measured."""
 
     drawing: Drawing
     kind: str
     title: tuple[str | Scale | Symbol, ...]
+    diagram: bool = False
 
     def titled(self, times: float, tr: Translator) -> Title:
         """Word by word; what follows a symbol without a space stands with it."""
@@ -129,7 +131,8 @@ class Kept(Tex):
 
     def placed(self, anchor: str, caption: Markup, drawn: Markup, picture: Drawing | Graph) -> Markup:
         drawing = picture if isinstance(picture, Drawing) else picture.drawing
-        self.figures.append(Figure(drawing, self.kind, tuple(self._pieces(str(caption)))))
+        title = tuple(self._pieces(str(caption)))
+        self.figures.append(Figure(drawing, self.kind, title, isinstance(picture, Graph)))
         return Markup("")
 
     def _pieces(self, caption: str) -> Iterator[str | Scale | Symbol]:

@@ -10,16 +10,23 @@ import math
 from typing import Any
 
 from tmm_report.figures.drawing import COLOURS, Arc, Arrow, Circle, Item, Path, Pen, Text
-from tmm_report.figures.sheets.sheet import CENTRE, DASHED, HALF, MAIN, PHANTOM, THIN, Sheet
+from tmm_report.figures.sheets.sheet import CENTRE, DASHED, HALF, LONG, MAIN, PHANTOM, SHORT, THIN, Sheet
 from tmm_report.figures.sheets.strokes import Letters
 
-TYPES = {"GOST_DASHED": DASHED, "GOST_CENTRE": CENTRE, "GOST_PHANTOM": PHANTOM}
+TYPES = {
+    "GOST_DASHED": DASHED,
+    "GOST_LONG": LONG,
+    "GOST_SHORT": SHORT,
+    "GOST_CENTRE": CENTRE,
+    "GOST_PHANTOM": PHANTOM,
+}
 LAYERS = {  # type of line, mm wide
     "FRAME": ("CONTINUOUS", MAIN), "MAIN": ("CONTINUOUS", MAIN), "HALF": ("CONTINUOUS", HALF),
     "THIN": ("CONTINUOUS", THIN), "DASHED": ("GOST_DASHED", HALF), "CENTRE": ("GOST_CENTRE", HALF),
-    "PHANTOM": ("GOST_PHANTOM", HALF), "FILL": ("CONTINUOUS", THIN), "TEXT": ("CONTINUOUS", THIN),
+    "PHANTOM": ("GOST_PHANTOM", HALF), "LONG": ("GOST_LONG", HALF), "SHORT": ("GOST_SHORT", HALF),
+    "FILL": ("CONTINUOUS", THIN), "TEXT": ("CONTINUOUS", THIN),
 }  # fmt: skip
-BROKEN = {DASHED: "DASHED", CENTRE: "CENTRE", PHANTOM: "PHANTOM"}
+BROKEN = {DASHED: "DASHED", LONG: "LONG", SHORT: "SHORT", CENTRE: "CENTRE", PHANTOM: "PHANTOM"}
 STYLE, FONT = (
     "GOST",
     "isocpeur.ttf",

@@ -22,6 +22,7 @@ HALF, THIN = 0.3, 0.2  # s/2 and s/3, between which thin lines are
 BOLD = 0.38  # mm: what is at least as wide in a note is a main line
 LIGHT = 0.26  # what is at most as wide in it is as thin as may be
 DASHED, CENTRE, PHANTOM = (4.0, 1.5), (8.0, 1.2, 0.6, 1.2), (8.0, 1.5, 0.5, 1.5, 0.5, 1.5)
+LONG, SHORT = (8.0, 2.0), (2.0, 1.0)  # dashed lines are from the one to the other
 BINDING, EDGE = 20.0, 5.0  # mm: from the frame to the edge of the paper
 GAP = 8.0  # mm between pictures, and between them and the frame
 TITLE = 5.0  # mm: capitals of a title
@@ -162,7 +163,9 @@ def _ruled(pen: Pen) -> Pen:
     """The line of GOST 2.303 for that of a note: black, main or thin, and of what is broken always thin."""
     if not pen.dash:
         return Pen(MAIN if pen.width >= BOLD else THIN if pen.width <= LIGHT else HALF)
-    return Pen(HALF, dash={2: DASHED, 4: CENTRE}.get(len(pen.dash), PHANTOM))
+    if len(pen.dash) == 2:  # curves of one graph are told from one another by these
+        return Pen(HALF, dash=LONG if pen.dash[0] >= 4 else DASHED if pen.dash[0] >= 1.8 else SHORT)
+    return Pen(HALF, dash=CENTRE if len(pen.dash) == 4 else PHANTOM)
 
 
 def _fill(fill: str) -> str:
