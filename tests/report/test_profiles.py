@@ -176,13 +176,21 @@ def test_signs_of_a_word_stand_as_they_are_written():
     [
         ("html", '<p>x is {}</p>\n<p class="where"><span class="item">where x</span></p>', "<math>3</math>"),
         ("tex", "x is {}\n\n\\NoteWhere where x", "$3$"),
+        ("typst", "x is {}\n\n#note-where([where ])x", '$display("3")$/*5.962*/'),
     ],
 )
 def test_an_explanation_goes_on_behind_a_formula_and_begins_anew_behind_words(fmt, formula, explained):
-    behind = joined(formula.format(explained + "."), fmt, "where", "Here", "—").replace("\N{WORD JOINER}", "")
+    def read(text: str) -> str:
+        return (
+            joined(formula.format(text), fmt, "where", "Here", "—")
+            .replace("\N{WORD JOINER}", "")
+            .replace("])", "")
+        )
+
+    behind = read(explained + ".")
     assert explained + "," in behind and "where x" in behind
-    words = joined(formula.format("a word."), fmt, "where", "Here", "—")
-    assert "a word." in words and "Here x" in words and "where" not in words.replace('"where"', "")
+    words = read("a word.")
+    assert "a word." in words and "Here x" in words and "where x" not in words
 
 
 # --- on paper

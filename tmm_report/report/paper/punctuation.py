@@ -36,7 +36,8 @@ _TYPST = (
         r"(?=\(tail: |#note-(?:formula|display|beside)\(|#note-where\(\[WHERE )",
         r'tail: ","\1',
     ),
-    (r"\.(\s*#note-where\(\[WHERE )", r",\1"),
+    (r"(?<=[$/])\.(\s*#note-where\(\[WHERE )", r",\1"),  # behind a formula, or the mark of its width
+    (r"(\.\s*#note-where\(\[)WHERE ", r"\1HERE "),
     (r"(/\*table\*/\s*#note-where\(\[)WHERE ", r"\1HERE "),
     (r"(:\s*#note-where\(\[)WHERE ", r"\1"),
     (r'^#"";\s*$', ""),  # a paragraph whose sentences refer to what is left out
