@@ -98,7 +98,9 @@ def test_every_sign_can_be_set(name):
 
 @pytest.mark.exhaustive
 def test_letters_of_every_language_of_the_users_are_set(tmp_path):
-    """Of Kazakh and Ukrainian names no letter is lost, in text, bold, and as the name of a point."""
+    """Of Kazakh and Ukrainian names no letter is lost, in text, bold, and as the name of a point.
+
+    The topic stands on the title page and in the introduction, the student on the title page."""
     letters = "ӘәҒғҚқҢңӨөҰұҮүҺһЇїЄєҐґ"  # і shares its glyph with the Latin one
     text = (VARIANTS / "slider_crank_offset.yaml").read_text(encoding="utf-8").partition("\nloads:")[0]
     variant = loads(re.sub(r"\bB\b", "Қ", text))
@@ -108,4 +110,4 @@ def test_letters_of_every_language_of_the_users_are_set(tmp_path):
     (tmp_path / "note.pdf").write_bytes(compiled(render(found, "tex", "ru"))["note.pdf"])
     command = [program("pdftotext"), "-layout", str(tmp_path / "note.pdf"), "-"]
     printed = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", check=True).stdout
-    assert printed.count(letters) == 4 and "?" not in printed and printed.count("Қ") > 10
+    assert printed.count(letters) == 3 and "?" not in printed and printed.count("Қ") > 10

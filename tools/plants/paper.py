@@ -9,7 +9,7 @@ DEPARTMENT = ("tests/batches/test_department.py",)
 OWN = ("tests/report/test_own_template.py",)
 FRAMES = ("tests/report/paper/test_frames.py",)
 THINNED = ("tests/figures/test_thinning.py",)
-SHEETS = ("tests/sheets/test_sheets.py", "tests/sheets/test_files.py")
+SHEETS = ("tests/sheets/test_drawing_sheets.py", "tests/sheets/test_sheet_files.py")
 FAULTS = (
     Fault("a binding margin of the print that is not the profile's", "templates/profile.css.j2",
           "{{ p.margins.bottom }}mm {{ p.margins.left }}mm", "{{ p.margins.bottom }}mm {{ p.margins.left - 5 }}mm",

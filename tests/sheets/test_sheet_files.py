@@ -9,7 +9,7 @@ from zlib import decompress
 import pytest
 from conftest import path_of, solved
 from drawn import VARIANTS, files_of, sheets_of
-from test_sheets import A1, HOSTILE, stamped
+from test_drawing_sheets import A1, HOSTILE, stamped
 from typer.testing import CliRunner
 
 from tmm_report import sheets
