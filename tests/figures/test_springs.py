@@ -148,7 +148,7 @@ def shapes(paths):
 def of_svg(html, caption):
     figures = re.findall(r"<figure.*?</figure>", html, flags=re.S)
     figure = next(one for one in figures if caption in re.sub(r"<[^>]+>", "", one))
-    paths = re.findall(r'<path d="(M[^"ZM]*)" stroke="#000000"', figure)
+    paths = re.findall(r'<path d="(M[^"ZM]*)" stroke="#000"', figure)
     return shapes(
         [[complex(float(x), -float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", d)] for d in paths]
     )

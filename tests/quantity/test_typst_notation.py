@@ -33,7 +33,7 @@ class Heard(Html):
         self.items[id(item)] = item
         return super().math(item, tr, display)
 
-    def picture(self, picture, anchor):
+    def picture(self, picture, anchor, caption=""):
         return Markup("")
 
 

@@ -32,7 +32,8 @@ class Figure:
 
     @property
     def svg(self) -> str:
-        return svg(self.picture if isinstance(self.picture, Drawing) else self.picture.drawing)
+        drawing = self.picture if isinstance(self.picture, Drawing) else self.picture.drawing
+        return svg(drawing, title=self.caption)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write it as SVG, or as PNG by the end of the name."""
@@ -42,7 +43,7 @@ class Figure:
 
             Path(path).write_bytes(png(drawing))
         else:
-            Path(path).write_text(svg(drawing), encoding="utf-8")
+            Path(path).write_text(self.svg, encoding="utf-8")
 
     def _repr_svg_(self) -> str:
         return self.svg
