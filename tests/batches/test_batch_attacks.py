@@ -11,7 +11,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
-from notes import VARIANTS
+from notes import VARIANTS, static
 from openpyxl import load_workbook
 from payloads import PAYLOADS
 from typer.testing import CliRunner
@@ -150,7 +150,9 @@ def test_nothing_in_a_page_can_be_run(year):
     pages = [*year[0].rglob("*.html")]
     assert len(pages) > 2 * len(PAYLOADS)
     for page in pages:
-        read = Tags(page.read_text("utf-8"))
+        text = page.read_text("utf-8")
+        # what moves a note on the screen is the program's own: names end neither its script nor its data
+        read = Tags(static(text) if page.name == "note.html" else text)
         assert not read.found & TAGS and not read.running, (page, read.running)
 
 
