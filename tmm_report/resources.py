@@ -6,6 +6,14 @@ from functools import cache
 from pathlib import Path
 
 
+def allowed(script: bytes) -> str:
+    """How a content security policy allows this script and no other: by its hash."""
+    from base64 import b64encode
+    from hashlib import sha256
+
+    return f"'sha256-{b64encode(sha256(script).digest()).decode()}'"
+
+
 @cache
 def data_root() -> Path:
     """The folder that holds `templates/` and `variants/`: in an installed package, or the checkout's root.

@@ -34,6 +34,11 @@ NO_EZDXF = N_(
 NO_BROWSER = N_("no print: no Chromium, Chrome or Edge is installed")
 
 
+def usual_folder(variant: Path) -> Path:
+    """The folder of a note for which none is named."""
+    return Path(f"{variant.stem}-note")
+
+
 def run(
     variant: Path,
     folder: Path | None,
@@ -51,7 +56,7 @@ def run(
     wanted, deep = chosen(formats, open_note), depth_of(depth)
     if pdf is not None and pdf not in PROGRAMS:
         raise failure(N_("--pdf: unknown %(words)s; known: %(known)s"), words=pdf, known=f"{TEX}, {TYPST}")
-    folder = folder or Path(f"{variant.stem}-note")
+    folder = folder or usual_folder(variant)
     text, file = stated(variant)
     department = beside(variant)
     loaded = loads(text, file, department)

@@ -9,10 +9,8 @@ from __future__ import annotations
 
 import re
 import time
-from base64 import b64encode
 from collections.abc import Callable
 from contextlib import suppress
-from hashlib import sha256
 from pathlib import Path
 
 from tmm_report.commands import solve
@@ -21,7 +19,7 @@ from tmm_report.commands.talk import Talk, unwritable
 from tmm_report.languages import DEFAULT
 from tmm_report.loading import stated
 from tmm_report.problems import N_, Message, ProblemError
-from tmm_report.resources import data_root
+from tmm_report.resources import allowed, data_root
 from tmm_report.variant.department import NAMES, TEMPLATES
 
 PAGE, ROUND = "live.html", "live.js"
@@ -45,7 +43,7 @@ def run(
 ) -> bool:
     """Solve until Ctrl-C. Raises ProblemError for what no saving can mend: options, a file that is not there."""
     solve.chosen(formats), solve.depth_of(depth), stated(variant)
-    folder = folder or Path(f"{variant.stem}-note")
+    folder = folder or solve.usual_folder(variant)
     names = formats if "html" in formats else f"{formats},html"
 
     def solved() -> None:
@@ -125,16 +123,14 @@ def live(page: bytes, number: int) -> bytes:
     """The page with its round and with the script that looks for the next one; the page's own policy allows it, by its
     hash, and files beside it, from which the script learns the round."""
     script = (data_root() / "templates" / "live.js").read_bytes()
-    allowed = b"'sha256-" + b64encode(sha256(script).digest()) + b"' file:"
+    source = f"{allowed(script)} file:".encode()
 
     def with_script(policy: re.Match[bytes]) -> bytes:
         rules = [rule.strip() for rule in policy[2].split(b";")]
         others = [rule for rule in rules if rule and not rule.startswith(b"script-src ")]
         own = next((rule for rule in rules if rule.startswith(b"script-src ")), b"script-src")
         meta = b'<meta name="tmm-report-round" content="%d">' % number
-        return b"".join(
-            (policy[1], b"; ".join([*others, own + b" " + allowed]), policy[3], b">\n", meta[:-1])
-        )
+        return b"".join((policy[1], b"; ".join([*others, own + b" " + source]), policy[3], b">\n", meta[:-1]))
 
     page = _POLICY.sub(with_script, page, count=1)
     head, end, rest = page.rpartition(b"</body>")

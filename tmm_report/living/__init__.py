@@ -8,10 +8,8 @@ from __future__ import annotations
 
 import json
 import re
-from base64 import b64encode
 from collections.abc import Container, Mapping
 from functools import cache
-from hashlib import sha256
 from html import unescape
 from typing import Any
 
@@ -25,7 +23,7 @@ from tmm_report.living.plans import polygons
 from tmm_report.living.told import told
 from tmm_report.living.words import words
 from tmm_report.report.page import Page
-from tmm_report.resources import data_root
+from tmm_report.resources import allowed, data_root
 
 SCRIPTS = ("state", "mechanism", "stage", "figures", "tables", "fellows", "page")  # in the order they run
 _KEY = re.compile(' data-q="([^"]*)"')
@@ -35,8 +33,8 @@ Pictures = Mapping[str, Drawing | Graph]
 def added(text: str, results: Results, page: Page, pictures: Pictures) -> str:
     """The note with all of the living page behind its text; `pictures`: the figures by their anchors."""
     script = _read("js")
-    allowed = b64encode(sha256(script.encode()).digest()).decode()
-    text = text.replace("default-src 'none';", f"default-src 'none'; script-src 'sha256-{allowed}';", 1)
+    policy = f"default-src 'none'; script-src {allowed(script.encode())};"
+    text = text.replace("default-src 'none';", policy, 1)
     body, end, rest = text.rpartition("</body>")
     data = as_json(known(results, page, pictures, set(map(unescape, _KEY.findall(text)))))
     block = (
