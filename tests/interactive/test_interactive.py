@@ -310,3 +310,9 @@ def test_the_rooms_say_what_they_do():
     assert "r[table, key]" in room.NO_PANDAS and all(
         getattr(tmm_report, name).__doc__ for name in tmm_report.__all__
     )
+
+
+def test_what_is_reckoned_of_numbers_is_plain_and_has_no_unit(shaper):
+    """A product is of another quantity: the name and the unit of its factor would be wrong of it."""
+    numbers = next(one for one in map(shaper.__getitem__, ("omega_3", "phi_3")) if isinstance(one, Numbers))
+    assert numbers.unit and type(numbers * 2) is np.ndarray and type(numbers**2 + numbers) is np.ndarray

@@ -17,7 +17,7 @@ FAULTS = (
           'key=lambda one: one.name.endswith("_diagram")',
           'key=lambda one: not one.name.endswith("_diagram")', tests=ASKED),
     Fault("a first hour: what is reckoned keeps its unit", ROOM + "numbers.py",
-          "plain = np.asarray(array).view(np.ndarray)", "plain = array", tests=ASKED),
+          "plain = np.asarray(array).view(np.ndarray)", "plain = np.asarray(array).view(Numbers)", tests=ASKED),
     Fault("a first hour: a topic is markup", ROOM + "brief.py", "<caption>{escape(heading(results, tr))}",
           "<caption>{heading(results, tr)}", tests=ASKED),
     Fault("a first hour: the greatest speed with its sign", "tmm_report/chapters/lever/kinematics/quantities.py",
