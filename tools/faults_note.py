@@ -452,7 +452,7 @@ FAULTS = (
     Fault("a lever's force beside a moment by power", FORCES + "lever.py", '"power": solved.power * transfer',
           '"power": solved.power', LIFTED, BY_PLANS),
     Fault("a balancing force along the stroke in the pole", FORCES + "lever_draw.py",
-          "            balancing.place,\n", "            0j,\n", LIFTED),
+          "Force(arm.place, arm.vector", 'Force(0j if style == "reaction" else arm.place, arm.vector', LIFTED),
     Fault("parts of a wheel's force on flanks of their own", RUBBED,
           "_stacked(loads, units, shape), flanks.get(GEAR), flanks)",
           "_stacked(loads, units, shape), flanks.get(GEAR))", SUN, RUBBING),

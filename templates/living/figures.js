@@ -59,7 +59,7 @@ function livePlan(figure, plan) {
       return x === null || y === null ? null : [x, y];
     });
     // the figure keeps its room: a plan that does not fit is drawn smaller, its letters and lines are not
-    const box = reach(nodes, own);
+    const box = roomFor(nodes, own);
     const larger = Math.max(box[2] / own[2], box[3] / own[3]);
     change(svg, "viewBox", box.join(" "));
     change(figure, "data-now", `φ = ${text(where.at, 4)}°${larger > 1.001 ? `, ${text(1 / larger, 2)} : 1` : ""}`);
@@ -86,7 +86,7 @@ function livePlan(figure, plan) {
 }
 
 // What the plan needs, its own room at least: left, top, width and height, mm, y down.
-function reach(nodes, [x, y, w, h]) {
+function roomFor(nodes, [x, y, w, h]) {
   const there = nodes.filter(Boolean);
   const [us, vs] = [0, 1].map((c) => there.map((n) => n[c]));
   const [left, top] = [Math.min(x, Math.min(...us) - 5), Math.min(y, -Math.max(...vs) - 5)];
@@ -156,6 +156,7 @@ function figuresFollow() {
     }
   };
   add("plans", livePlan);
+  add("loads", liveLoads);
   add("charts", liveChart);
   followers.push(() => inSight.forEach((figure) => draws.get(figure)()));
   addEventListener("beforeprint", () => restore(document.body));

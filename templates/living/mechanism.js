@@ -54,21 +54,23 @@ const line = (points, closed) => {
   return `M${pairs.join("L")}${closed ? "Z" : ""}`;
 };
 
-function linkDrawn(name) {
+// A link; `by`: how much larger than in the moving scheme, `mark`: its blocks, which are no lengths of the mechanism.
+function linkDrawn(name, by = 1, mark = 1) {
   const link = mechanism.links[name];
   const group = drawn("g", { "data-link": name, class: "link" });
-  const add = (d, look) => group.append(drawn("path", { d, class: look }));
-  if (link.plate.length) add(line(link.plate, true), "plate bar");
+  const larger = (points) => points.map((x) => by * x);
+  const add = (points, closed, look) => group.append(drawn("path", { d: line(larger(points), closed), class: look }));
+  if (link.plate.length) add(link.plate, true, "plate bar");
   for (const outline of link.outlines) {
-    add(line(outline, true), "plate rim");
-    if (link.wheel) add(line([...middle(outline), outline[0], outline[1]]), "rim"); // a spoke shows that it turns
+    add(outline, true, "plate rim");
+    if (link.wheel) add([...middle(outline), outline[0], outline[1]], false, "rim"); // a spoke shows that it turns
   }
-  for (const bar of link.bars) add(line(bar), "bar");
-  for (const [x, y, r] of link.rollers) group.append(drawn("circle", { cx: x, cy: y, r, class: "joint" }));
-  const [wide, tall] = mechanism.block;
+  for (const bar of link.bars) add(bar, false, "bar");
+  for (const [x, y, r] of link.rollers) group.append(drawn("circle", { cx: by * x, cy: by * y, r: by * r, class: "joint" }));
+  const [wide, tall] = mechanism.block.map((x) => mark * x);
   for (const [x, y, c, s] of link.blocks) {
     const box = { x: -wide, y: -tall, width: 2 * wide, height: 2 * tall, class: "block" };
-    group.append(drawn("rect", { ...box, transform: `matrix(${c} ${s} ${-s} ${c} ${x} ${y})` }));
+    group.append(drawn("rect", { ...box, transform: `matrix(${c} ${s} ${-s} ${c} ${by * x} ${by * y})` }));
   }
   return group;
 }
@@ -79,12 +81,12 @@ function middle(points) {
   return sums;
 }
 
-function set(group, link) {
+function set(group, link, by = 1) {
   const at = pose(link);
   group.style.display = at ? "" : "none";
   if (!at) return;
   const [c, s] = [Math.cos(at[2]), Math.sin(at[2])];
-  group.setAttribute("transform", `matrix(${c} ${s} ${-s} ${c} ${at[0]} ${at[1]})`);
+  group.setAttribute("transform", `matrix(${c} ${s} ${-s} ${c} ${by * at[0]} ${by * at[1]})`);
 }
 
 // Shaft and head of an arrow, as the drawings of the note have them.

@@ -4,7 +4,7 @@ const SNAP = 0.12; // of the way between two numbered positions: so near the dra
 const LONGEST = 26; // mm of the longest vector of a kind
 
 function layer(name, keys) {
-  const reach = Math.max(...keys.map(([key]) => Math.max(...cycle.vectors[key][0].map((x, i) => Math.hypot(x, cycle.vectors[key][1][i])))));
+  const most = Math.max(...keys.map(([key]) => reach(key)));
   const group = drawn("g", { class: `layer ${name}` });
   const arrows = keys.map(([key, at]) => {
     const one = drawn("g", { "data-q": key }, drawn("path", { class: "shaft" }), drawn("path", { class: "head" }));
@@ -16,8 +16,8 @@ function layer(name, keys) {
       const from = typeof at === "string" ? place(at) : [value(at[0]), value(at[1])];
       const of = vector(key);
       const [shaft, head] =
-        from && of && from[0] !== null && reach > 0
-          ? arrow(from[0], from[1], from[0] + (of[0] * LONGEST) / reach, from[1] + (of[1] * LONGEST) / reach)
+        from && of && from[0] !== null && most > 0
+          ? arrow(from[0], from[1], from[0] + (of[0] * LONGEST) / most, from[1] + (of[1] * LONGEST) / most)
           : ["", ""];
       one.firstChild.setAttribute("d", shaft);
       one.lastChild.setAttribute("d", head);
@@ -187,7 +187,7 @@ function settled(at) {
 
 let playing = 0;
 let pace = 1;
-const TURN = 6000; // ms of a whole cycle
+const CYCLE = 6000; // ms of a whole cycle
 
 function play() {
   const omega = column("omega", "flywheel")?.values.filter((x) => x !== null);
@@ -200,7 +200,7 @@ function play() {
       if (before === null || now - before > 1000 / pace) step(1), (before = now);
     } else {
       const rate = mean ? (value(column("omega", "flywheel").values) ?? mean) / mean : 1; // as the flywheel lets it
-      show(!cycle.closed && where.at >= cycle.at[last] ? cycle.at[0] : where.at + (passed * pace * rate * span) / TURN);
+      show(!cycle.closed && where.at >= cycle.at[last] ? cycle.at[0] : where.at + (passed * pace * rate * span) / CYCLE);
       before = now;
     }
     playing = requestAnimationFrame(frame);

@@ -77,3 +77,6 @@ const vector = (key) => {
   const [x, y] = [value(cycle.vectors[key][0]), value(cycle.vectors[key][1])];
   return x === null || y === null ? null : [x, y];
 };
+
+// The largest size of a vector.
+const reach = (key) => Math.max(...cycle.vectors[key][0].map((x, i) => Math.hypot(x, cycle.vectors[key][1][i])));

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmm_report.figures.lettering import Parts, Scale, xml_text
+from tmm_report.figures.lettering import Part, Parts, Scale, xml_text
 from tmm_report.figures.placing import Tag, placed
 from tmm_report.figures.primitives import (
     AXIS,
@@ -56,6 +56,8 @@ __all__ = [
     "TEXT",
     "THICK",
     "THIN",
+    "Acting",
+    "Acts",
     "Arc",
     "Arrow",
     "Box",
@@ -85,6 +87,32 @@ class Planned(NamedTuple):
     scale: float
 
 
+class Acting(NamedTuple):
+    """A force or a couple as it is drawn: key of its quantity, where it acts, mm, its letter and colour; `on`: what it
+    acts on, a link, or of the lever a point; `pair`: of a pair of forces, what the other acts on."""
+
+    key: str
+    at: complex
+    letter: Part | None
+    colour: str
+    on: str = ""
+    pair: str = ""
+
+
+class Acts(NamedTuple):
+    """What a loading scheme shows beside its links, which are drawn at `scale`, m/mm, in a table position. Of
+    Zhukovsky's lever, which has no links, `sides` are the keys of the velocities, at `scale`, (m/s)/mm, that its plan
+    shows, and `turn` is by what it is turned."""
+
+    position: int
+    scale: float
+    forces: tuple[Acting, ...]
+    couples: tuple[Acting, ...] = ()
+    links: tuple[str, ...] = ()
+    sides: tuple[str, ...] = ()
+    turn: complex = 0j
+
+
 @dataclass(frozen=True)
 class Drawing:
     """Primitives in the order they are drawn, mm of paper; `title` is read aloud to who cannot see it."""
@@ -94,6 +122,7 @@ class Drawing:
     margin: float = field(default=1.0, kw_only=True)
     scales: tuple[Scale, ...] = field(default=(), kw_only=True)  # of its axes, where it has some
     plan: Planned | None = field(default=None, kw_only=True)  # of a plan, what it shows
+    acts: Acts | None = field(default=None, kw_only=True)  # of a loading scheme
 
     @cached_property
     def box(self) -> Box:

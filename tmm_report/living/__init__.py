@@ -18,14 +18,24 @@ from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.living.charts import cursors
 from tmm_report.living.cycle import Cycle, cycle_of
-from tmm_report.living.mechanism import moving
+from tmm_report.living.loads import Loads
+from tmm_report.living.mechanism import moving, seen
 from tmm_report.living.plans import polygons
 from tmm_report.living.told import told
 from tmm_report.living.words import words
 from tmm_report.report.page import Page
 from tmm_report.resources import allowed, data_root
 
-SCRIPTS = ("state", "mechanism", "stage", "figures", "tables", "fellows", "page")  # in the order they run
+SCRIPTS = (
+    "state",
+    "mechanism",
+    "stage",
+    "figures",
+    "loads",
+    "tables",
+    "fellows",
+    "page",
+)  # in the order they run
 _KEY = re.compile(' data-q="([^"]*)"')
 Pictures = Mapping[str, Drawing | Graph]
 
@@ -51,15 +61,23 @@ def known(results: Results, page: Page, pictures: Pictures, shown: Container[str
         "decimal": page.tr.decimal,
         "told": told(results, page, shown),
     }
-    if (cycle := cycle_of(results)) is None:
+    lever = results.lever
+    if lever is None or (cycle := cycle_of(results)) is None:
         return found
-    mechanism = moving(results, cycle, page)
-    drawn = {f"{letter}_{point}" for point in mechanism["points"] for letter in "va"}
-    drawn |= {key for key, *_ in mechanism["forces"]}
+    view = seen(lever, cycle, page)
+    mechanism = moving(lever, cycle, view)
+    drawn = {key for key in cycle.vectors if key[:2] in ("v_", "a_") and key[2:] in mechanism["points"]}
+    drawn |= {key for key, *_ in mechanism["forces"] if key in cycle.vectors}
+    vectors, turning, schemes = {key: cycle.vectors[key] for key in drawn}, {}, {}
+    if (forces := lever.kinetostatics) is not None:
+        loads = Loads(cycle, view, forces, {key: at for key, at, _ in mechanism["forces"]}, page.tr)
+        schemes = loads.schemes(pictures)
+        vectors, turning = vectors | loads.vectors, loads.turning
     return found | {
-        "cycle": cycle.said(page.tr, shown, drawn),
+        "cycle": cycle.said(page.tr, shown, vectors, turning),
         "mechanism": mechanism,
         "plans": polygons(pictures, cycle),
+        "loads": schemes,
         "charts": cursors(pictures, cycle, page.tr),
     }
 

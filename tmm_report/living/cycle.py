@@ -59,8 +59,15 @@ class Cycle:
                     found.setdefault(reaction(by, on).key, -found[turned])
         return found
 
-    def said(self, tr: Translator, shown: Container[str], drawn: Container[str]) -> dict[str, Any]:
-        """For the script: columns whose keys are `shown` on the page, and the vectors that are `drawn`."""
+    def said(
+        self,
+        tr: Translator,
+        shown: Container[str],
+        vectors: Mapping[str, Array],
+        turning: Mapping[str, Array],
+    ) -> dict[str, Any]:
+        """For the script: columns whose keys are `shown` on the page, the `vectors` that are drawn, and the couples,
+        `turning`, of which only the sense is drawn."""
         closed = bool(self.kinematics.cycle.closed)
         return {
             "at": numbers(np.degrees(self.turned)),
@@ -77,8 +84,9 @@ class Cycle:
             },
             "vectors": {
                 key: [numbers(one.real, SIGHT), numbers(one.imag, SIGHT)]
-                for key, one in self.vectors.items() if key in drawn
+                for key, one in vectors.items()
             },
+            "turning": {key: numbers(one, SIGHT) for key, one in turning.items()},
         }  # fmt: skip
 
     def _column(self, one: Column, other: Column, tr: Translator) -> dict[str, Any]:

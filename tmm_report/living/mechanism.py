@@ -16,7 +16,7 @@ import numpy as np
 
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as loads
 from tmm_report.chapters.lever.schemes import schemes_of, ties_of
-from tmm_report.course import LeverFound, Results
+from tmm_report.course import LeverFound
 from tmm_report.figures.drawing import Drawing, svg
 from tmm_report.figures.schemes.bodies import Body, number
 from tmm_report.figures.schemes.view import View, view_of
@@ -32,14 +32,16 @@ BETWEEN = (0.25, 0.5, 0.75)  # where the joints are looked at, of the way betwee
 COORDINATE, ANGLE = 5, 7  # decimals of mm and rad
 
 
-def moving(results: Results, cycle: Cycle, page: Page) -> dict[str, Any]:
-    lever = results.lever
-    assert lever is not None
+def seen(lever: LeverFound, cycle: Cycle, page: Page) -> View:
+    """The mechanism in all positions of the script, at the scale of the note's schemes."""
     schemes = page.once(schemes_of, lever, page)
-    view = view_of(schemes.mechanism, *_seen(schemes.mechanism, cycle), schemes.scale, lever.sample)
+    return view_of(schemes.mechanism, *_seen(schemes.mechanism, cycle), schemes.scale, lever.sample)
+
+
+def moving(lever: LeverFound, cycle: Cycle, view: View) -> dict[str, Any]:
     poses = Poses(cycle, view)
     return {
-        "scale": schemes.scale,
+        "scale": view.motion.mu,
         "sample": lever.sample,
         "driver": view.driver,
         "block": _pair(view.block),

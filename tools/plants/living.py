@@ -5,6 +5,7 @@ from __future__ import annotations
 from faults import Fault
 
 LIVING, SCRIPT = "tmm_report/living/", "templates/living/"
+LOADS = ("tests/living/test_living_loads.py",)
 DATA, SEEN = ("tests/living/test_living_data.py",), ("tests/living/test_living_page.py",)
 
 FAULTS = (
@@ -26,6 +27,16 @@ FAULTS = (
           'addEventListener("beforeprint", () => restore(document.body));', "", "compressor", SEEN),
     Fault("a copied table keeps the long minus", SCRIPT + "tables.js",
           'said.replace("\\u2212", "-")', "said", "compressor", SEEN),
+    Fault("a centre of percussion lies on the other side", LIVING + "loads.py",
+          "shift = -1j * force", "shift = 1j * force", "compressor", LOADS),
+    Fault("a pair of forces on the lever turns the other way", LIVING + "loads.py",
+          "1j * along / np.abs(along) ** 2 * couple", "-1j * along / np.abs(along) ** 2 * couple", "compressor", LOADS),
+    Fault("the lever is turned with the rotation", "tmm_report/chapters/lever/force_plans/lever_draw.py",
+          "turn=lever.turn", "turn=-lever.turn", "compressor", LOADS),
+    Fault("forces of a moving scheme point backwards", SCRIPT + "loads.js",
+          "const sense = n ? -1 : 1;", "const sense = n ? 1 : -1;", "compressor", LOADS),
+    Fault("the moment over a scheme is that of the position of the plan", SCRIPT + "loads.js",
+          "text(value(moment.values))", "text(moment.values[load.position])", "compressor", LOADS),
     Fault("figures have no names but their own", "tmm_report/figures/drawing.py",
           "title = drawing.title or title", "title = drawing.title", "crank_rocker",
           ("tests/page/drawings/test_titles.py",)),

@@ -38,7 +38,8 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class LeverArm:
     """A force on the lever: N, its place, mm from the pole, its arm, mm as read, and its moment, N mm, + counter-
-    clockwise. Of a pair of forces, `pair` is the place of the other one and the arm is between them."""
+    clockwise. Of a pair of forces, `pair` is the place of the other one and the arm is between them; `ends`
+    are then the points of the link, that of the other one first, none of a wheel's."""
 
     quantity: Quantity
     arm_quantity: Quantity
@@ -48,6 +49,7 @@ class LeverArm:
     arm: float
     moment: float
     pair: complex | None = None
+    ends: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,6 +94,7 @@ class _Ends(NamedTuple):
     start: complex
     end: complex
     along: complex
+    points: tuple[str, ...] = ()
 
 
 def levers(found: Kinetostatics, drawn: tuple[ForceDrawn, ...], plans: Plans) -> tuple[Lever, ...]:
@@ -196,7 +199,7 @@ class _Lever:
         ends = self._ends(link) or self._radius(link)
         if ends is None:
             return
-        name, letters, start, end, along = ends
+        name, letters, start, end, along, points = ends
         size = self.worked.number(couple.quantity, abs(couple.value))
         formula = self.worked.hand(q.pair_force(couple.quantity), size / self.worked.number(*name))
         self.pairs.append(formula)
@@ -206,7 +209,9 @@ class _Lever:
         product = float(round_significant(formula.written * arm * np.sign(moment), DIGITS))
         of = segment_of(letters)
         self.arms.append(
-            LeverArm(q.pair_force(couple.quantity), of, letters, complex(vector), end, arm, product, start)
+            LeverArm(
+                q.pair_force(couple.quantity), of, letters, complex(vector), end, arm, product, start, points
+            )
         )
 
     def _radius(self, link: str) -> _Ends | None:
@@ -238,7 +243,7 @@ class _Lever:
                 start, end = (self.place(p) or 0j for p in far)
                 along = self._at(other) - self._at(one)
                 name = length(one + other), float(round_significant(abs(along), DIGITS + 2))
-                return _Ends(name, "".join(map(self._letter, far)), start, end, along)
+                return _Ends(name, "".join(map(self._letter, far)), start, end, along, far)
         return None
 
     def _apart(self, one: str, other: str) -> float:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 from tmm_report.chapters.lever.force_plans.lever import Lever, LeverArm
-from tmm_report.figures.drawing import Drawing, Item, Tag, dot, together
+from tmm_report.figures.drawing import Acting, Acts, Drawing, Item, Tag, dot, together
 from tmm_report.figures.lettering import joined, lettered, symbol
 from tmm_report.figures.loading import Arm, Force, loading
-from tmm_report.figures.plans import PlanVector, Style, plan
+from tmm_report.figures.plans import PENS, PlanVector, Style, plan
 from tmm_report.mechanics.calculus.vectors import unit
 
 STYLES: dict[str, Style] = {"F_I": "inertia", "F_M": "inertia"}  # of keys; others are loads
@@ -20,20 +21,28 @@ def lever_picture(lever: Lever, words: Callable[[str], str]) -> Drawing:
     vectors = [PlanVector(turn * s.start, turn * s.end, of=s.key) for s in drawn.strokes if s.key]
     vertices = {name: turn * z for name, z in drawn.points.items()} | dict(lever.pitch)
     items = [*plan(vectors, {}).items, *_vertices(vertices, drawn.pole)]
-    forces = [force for arm in lever.arms for force in _forces(arm, words)]
     balancing = lever.driving
-    forces.append(
-        Force(
-            balancing.place,
-            balancing.vector,
-            lettered(balancing.quantity.sign, words),
-            "reaction",
-            balancing.quantity.key,
-        )
-    )
+    forces = [force for arm in (*lever.arms, balancing) for force in _forces(arm, _style(arm, lever), words)]
     own = [balancing] if lever.thrust else []  # that of the force across the crank is a side of the plan
     arms = [_arm(arm, words) for arm in (*lever.arms, *own) if arm.pair is None]
-    return loading(items, list(_letters(vertices)), [f for f in forces if abs(f.vector) > 0], arms)
+    shown = loading(items, list(_letters(vertices)), [f for f in forces if abs(f.vector) > 0], arms)
+    return replace(shown, acts=_acts(lever, words))
+
+
+def _acts(lever: Lever, words: Callable[[str], str]) -> Acts:
+    acting = []
+    for arm in (*lever.arms, lever.driving):
+        other, on = arm.ends or ("", arm.point)
+        letter, style = lettered(arm.quantity.sign, words), _style(arm, lever)
+        acting.append(Acting(arm.quantity.key, arm.place, letter, PENS[style].colour, on, other))
+    sides = tuple(stroke.key for stroke in lever.plan.strokes if stroke.key)
+    return Acts(lever.position, lever.plan.scale, tuple(acting), sides=sides, turn=lever.turn)
+
+
+def _style(arm: LeverArm, lever: Lever) -> Style:
+    if arm is lever.driving:
+        return "reaction"
+    return next((style for start, style in STYLES.items() if arm.quantity.key.startswith(start)), "force")
 
 
 def _vertices(vertices: dict[str, complex], pole: str) -> list[Item]:
@@ -47,11 +56,9 @@ def _letters(vertices: dict[str, complex]) -> Iterator[Tag]:
         yield Tag(joined([symbol(name) for name in names]), (place,), prefer=out / abs(out) if out else 0j)
 
 
-def _forces(arm: LeverArm, words: Callable[[str], str]) -> Iterator[Force]:
-    key = arm.quantity.key
-    style: Style = next((style for start, style in STYLES.items() if key.startswith(start)), "force")
+def _forces(arm: LeverArm, style: Style, words: Callable[[str], str]) -> Iterator[Force]:
     label = lettered(arm.quantity.sign, words)
-    yield Force(arm.place, arm.vector, label, style, key)
+    yield Force(arm.place, arm.vector, label, style, arm.quantity.key)
     if arm.pair is not None:
         yield Force(arm.pair, -arm.vector, label, style)
 

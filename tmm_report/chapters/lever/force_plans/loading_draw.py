@@ -12,14 +12,15 @@ import numpy as np
 from tmm_report.chapters.lever.force_plans.drafting import ForceDrawn, ForcePlan
 from tmm_report.chapters.lever.force_plans.drafting.plan import Held
 from tmm_report.chapters.lever.kinematics.solve.positions import Kinematics
-from tmm_report.figures.drawing import AXIS, Circle, Drawing, Item, Pen, Tag
+from tmm_report.figures.drawing import AXIS, Acting, Acts, Circle, Drawing, Item, Pen, Tag
 from tmm_report.figures.lettering import Part, lettered, symbol
 from tmm_report.figures.loading import Arm, Couple, Force, loading, point_mark
-from tmm_report.figures.plans import Style
+from tmm_report.figures.plans import PENS, Style
 from tmm_report.figures.schemes.apart import loose
 from tmm_report.figures.schemes.ties import Tie
 from tmm_report.figures.schemes.view import View, view_of
 from tmm_report.mechanics.lever.cams.replacing_dyad import standing
+from tmm_report.mechanics.lever.mechanism import FRAME
 from tmm_report.quantity.symbols import Symbol
 
 Letter = Callable[[Symbol], Part | None]
@@ -82,9 +83,11 @@ def _scheme(view: View, drawn: ForceDrawn, plan: ForcePlan, links: Sequence[str]
         for a in plan.arms if a.link in links
     ]  # fmt: skip
     forces = [*_loads(plan, links, mu, letter), *_reactions(view, plan, links, letter)]
-    return loading(
-        [*items, *marks], [*tags, *letters], forces, arms, list(_couples(view, plan, links, letter))
-    )
+    couples = list(_couples(view, plan, links, letter))
+    shown = loading([*items, *marks], [*tags, *letters], forces, arms, [couple for _, couple in couples])
+    acting = [Acting(f.of, f.at, f.label, PENS[f.style].colour) for f in forces if not f.assumed]
+    turning = [Acting(acts.key, couple.at, couple.label, "blue", acts.on) for acts, couple in couples]
+    return replace(shown, acts=Acts(drawn.position, mu, tuple(acting), tuple(turning), tuple(links)))
 
 
 def _pitch_circle(view: View, links: Sequence[str]) -> list[Item]:
@@ -130,15 +133,27 @@ def _place(view: View, one: Held) -> complex:
     return one.at / view.motion.mu
 
 
-def _couples(view: View, plan: ForcePlan, links: Sequence[str], letter: Letter) -> Iterator[Couple]:
+class _On(NamedTuple):
+    """Key of a couple, and the link on which it is drawn, "" of one in a joint."""
+
+    key: str
+    on: str
+
+
+def _couples(
+    view: View, plan: ForcePlan, links: Sequence[str], letter: Letter
+) -> Iterator[tuple[_On, Couple]]:
     for link in links:
         for couple in plan.couples[link]:
-            yield Couple(_on(view, link), couple.value, letter(couple.quantity.sign))
+            drawn = Couple(_on(view, link), couple.value, letter(couple.quantity.sign))
+            yield _On(couple.key, link), drawn
     for one in _held(plan, links):
         if one.couple:
-            yield Couple(_place(view, one), one.couple, letter((one.moment or one.quantity).sign))
+            of = one.moment or one.quantity
+            yield _On(of.key, ""), Couple(_place(view, one), one.couple, letter(of.sign))
     if plan.drive is not None and plan.links[0] in links:
-        yield Couple(view.pivot, plan.drive.value, letter(plan.drive.quantity.sign))
+        of = plan.drive.quantity
+        yield _On(of.key, FRAME), Couple(view.pivot, plan.drive.value, letter(of.sign))
 
 
 def _on(view: View, link: str) -> complex:
