@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import runpy
+import sys
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -10,18 +11,19 @@ from typing import Any
 import pytest
 from once import once
 
-TOOL = Path(__file__).resolve().parent.parent / "tools" / "messages.py"
+TOOLS = Path(__file__).resolve().parent.parent / "tools"
 
 
 @once
 def texts() -> tuple[Any, ...]:
-    return runpy.run_path(str(TOOL))["extracted"]()
+    return runpy.run_path(str(TOOLS / "texts.py"))["extracted"]()
 
 
 @cache
 def messages() -> dict[str, Any]:
     """Names of tools/messages.py."""
     pytest.importorskip("babel")
-    tool = runpy.run_path(str(TOOL))
+    sys.path.insert(0, str(TOOLS))
+    tool = runpy.run_path(str(TOOLS / "messages.py"))
     tool["merged"].__globals__["extracted"] = tool["extracted"] = texts
     return tool

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from tmm_report.i18n import Translator
+from functools import partial
+
+from tmm_report.i18n import said
 from tmm_report.problems import Problem
 
 
@@ -19,7 +21,7 @@ class Told:
         pass
 
     def tell(self, line):
-        say = Translator(self.language).gettext
+        say = partial(said, self.language)
         words = line.text(say) if isinstance(line, Problem) else line
         self.lines.append(words if isinstance(words, str) else words.render(say))
 

@@ -1,15 +1,22 @@
-"""The language of the note: gettext catalogues and the decimal sign. Message ids are in English."""
+"""The language of the note and of messages: gettext catalogues and the decimal sign. Message ids are in English.
+
+A language has two catalogues: `note`, whatever reaches paper or is handed in, and `messages`, what the command line
+says. In which a text stands says tools/messages.py by its file. What is not found in the one is looked for in the
+other, which is read only then.
+"""
 
 from __future__ import annotations
 
 import gettext
-from functools import cache
-from typing import NamedTuple
+from functools import cache, cached_property
+from pathlib import Path
+from typing import Literal, NamedTuple, get_args
 
-from tmm_report.languages import FALLBACK, SIGNS, DecimalSign, language
+from tmm_report.languages import FALLBACK, SIGNS, DecimalSign, language, spoken
 from tmm_report.resources import data_root
 
-DOMAIN = "tmm_report"
+Domain = Literal["note", "messages"]
+DOMAINS: tuple[Domain, ...] = get_args(Domain)
 
 
 def NP_(context: str, text: str) -> str:
@@ -47,22 +54,58 @@ class Translator(NamedTuple):
         return language(self.language).cited
 
     def gettext(self, text: str) -> str:
-        return _catalogue(self.language).gettext(text) if text else ""
+        return catalogue(self.language).gettext(text) if text else ""
 
     def pgettext(self, context: str, text: str) -> str:
-        return _catalogue(self.language).pgettext(context, text)
+        return catalogue(self.language).pgettext(context, text)
 
     def in_index(self, word: str) -> str:
         """A word of an index."""
         return self.pgettext("index", word)
 
     def ngettext(self, one: str, many: str, count: int) -> str:
-        return _catalogue(self.language).ngettext(one, many, count)
+        return catalogue(self.language).ngettext(one, many, count)
+
+
+def said(code: str, text: str) -> str:
+    """A text in the words of the command line."""
+    return catalogue(spoken(code), "messages").gettext(text) if text else ""
 
 
 @cache
-def _catalogue(code: str) -> gettext.NullTranslations:
+def catalogue(code: str, domain: Domain = "note") -> gettext.NullTranslations:
+    """The texts of a language, those of `domain` first. Raises ProblemError for a language that there is not."""
     if language(code).ids:
         return gettext.NullTranslations()
-    folder = data_root() / "templates" / "locale"
-    return gettext.translation(DOMAIN, localedir=folder, languages=[code])
+    found = gettext.translation(domain, localedir=folder(), languages=[code])
+    found.add_fallback(_Other(code, next(one for one in DOMAINS if one != domain)))
+    return found
+
+
+def folder() -> Path:
+    return data_root() / "templates" / "locale"
+
+
+class _Other(gettext.NullTranslations):
+    """The other domain, read when a text is first looked for in it."""
+
+    def __init__(self, code: str, domain: Domain):
+        super().__init__()
+        self.code, self.domain = code, domain
+
+    @cached_property
+    def texts(self) -> gettext.NullTranslations:
+        code = spoken(self.code) if self.domain == "messages" else self.code
+        if language(code).ids:
+            return gettext.NullTranslations()
+        return gettext.translation(self.domain, localedir=folder(), languages=[code])
+
+    def gettext(self, message: str) -> str:
+        return self.texts.gettext(message)
+
+    def ngettext(self, one: str, many: str, count: int) -> str:
+        return self.texts.ngettext(one, many, count)
+
+    def pgettext(self, context: str, message: str) -> str:
+        # words in a context are of the note, and most of what is asked here is a letter that needs no translation
+        return message if self.domain == "messages" else self.texts.pgettext(context, message)

@@ -1,11 +1,13 @@
 """The languages of the note and of messages, a row a language. Everything that lists languages takes them from here.
 
-A language is its row here, and its files in templates/: locale/<code>/LC_MESSAGES/tmm_report.po (with the .mo that
-tools/messages.py makes of it; the plural rule stands in its head), locale/<code>/glossary.yaml and new/<code>.yaml.
+A language is its row here, and its files in templates/: locale/<code>/LC_MESSAGES/note.po and messages.po (with the .mo
+that tools/messages.py makes of each; the plural rule stands in their heads), locale/<code>/glossary.yaml and
+new/<code>.yaml.
 """
 
 from __future__ import annotations
 
+import os
 import re
 from typing import Literal
 
@@ -22,6 +24,7 @@ class Language:
 
     `code`: ISO 639-1, that of --lang, of the key `language` and of HTML. `babel`: its name in LaTeX, `beside`: the
     language whose words a note has beside its own. `ids`: its texts are the message ids, without a catalogue.
+    `messages`: the command line speaks it, too; else it speaks the user's language or FALLBACK.
     `letters`: of appendices, in their order (GOST 7.32: without those that are taken for digits or for others);
     `cited`: between sources that are cited together (GOST R 7.0.5: a semicolon).
     """
@@ -32,6 +35,7 @@ class Language:
     babel: str
     beside: str = "english"
     ids: bool = False
+    messages: bool = True
     letters: str = "ABCDEFGHJKLMNPQRSTUVWXYZ"
     cited: str = ", "
 
@@ -73,4 +77,18 @@ def stated_in(text: str | bytes) -> str:
 def of_locale(name: str) -> str:
     """The code of a system's language, such as "ru_RU.UTF-8" or "Russian_Russia.1251"; FALLBACK for a foreign one."""
     word = re.split(r"[_.@-]", name.lower())[0]
-    return next((row.code for row in LANGUAGES.values() if word in (row.code, row.babel)), FALLBACK)
+    spoken = (row for row in LANGUAGES.values() if row.messages)
+    return next((row.code for row in spoken if word in (row.code, row.babel)), FALLBACK)
+
+
+def users() -> str:
+    """The user's language, from the environment."""
+    import locale
+
+    names = [os.environ.get(name, "") for name in ("LC_ALL", "LC_MESSAGES", "LANG")]
+    return of_locale(next((name for name in names if name), "") or (locale.getlocale()[0] or ""))
+
+
+def spoken(code: str) -> str:
+    """The language in which the command line speaks of a variant in this one."""
+    return code if language(code).messages else users()

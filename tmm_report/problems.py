@@ -112,7 +112,7 @@ class Problem:
         """What is wrong and what would be right, without the place."""
         if self.right is None:
             return self.wrong
-        return Message("%(wrong)s; %(right)s", {"wrong": self.wrong, "right": self.right})
+        return Message(N_("%(wrong)s; %(right)s"), {"wrong": self.wrong, "right": self.right})
 
     def sentence(self, translate: Callable[[str], str] = str) -> str:
         """The same in words."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import atexit
 import gc
-import locale
 import os
 import sys
 import threading
@@ -12,6 +11,7 @@ import unicodedata
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import typer
@@ -39,7 +39,7 @@ def see_alone(asked: bool, others: Mapping[str, bool]) -> None:
 @contextmanager
 def console_of(lang: str | None, quiet: bool = False) -> Iterator[Console]:
     """The terminal in the language asked for, or in the user's own. A user's mistakes are printed, exit code 2."""
-    console = Console(users_language(), quiet)
+    console = Console(languages.users(), quiet)
     try:
         if lang is not None:
             console.speak(_known(lang))
@@ -74,12 +74,6 @@ def _known(lang: str) -> str:
         return languages.language(lang).code
     except ProblemError as error:
         raise ProblemError([replace(problem, path=("--lang",)) for problem in error.problems]) from None
-
-
-def users_language() -> str:
-    """The user's language from the environment."""
-    names = [os.environ.get(name, "") for name in ("LC_ALL", "LC_MESSAGES", "LANG")]
-    return languages.of_locale(next((name for name in names if name), "") or (locale.getlocale()[0] or ""))
 
 
 class Console:
@@ -128,9 +122,9 @@ class Console:
             self._shown = False
 
     def _say(self, text: str) -> str:
-        from tmm_report.i18n import Translator
+        from tmm_report.i18n import said
 
-        return Translator(self.language).gettext(text)
+        return said(self.language, text)
 
     def _show(self) -> None:
         self._shown = True
@@ -191,7 +185,7 @@ class Spoken(TyperGroup):
 
     def main(self, args: Sequence[str] | None = None, *more: Any, **named: Any) -> Any:
         given = list(sys.argv[1:] if args is None else args)
-        _speak(self, users_language(), "--help" in given or not given)
+        _speak(self, languages.users(), "--help" in given or not given)
         return super().main(args, *more, **named)
 
 
@@ -202,15 +196,14 @@ def _speak(group: TyperGroup, language: str, helping: bool) -> None:
     if languages.LANGUAGES[language].ids:
         gettext.textdomain("messages")
         return
-    from tmm_report.i18n import DOMAIN, Translator
-    from tmm_report.resources import data_root
+    from tmm_report.i18n import folder, said
 
-    gettext.bindtextdomain(DOMAIN, str(data_root() / "templates" / "locale"))
-    gettext.textdomain(DOMAIN)
+    gettext.bindtextdomain("messages", str(folder()))
+    gettext.textdomain("messages")
     if not any(os.environ.get(name) for name in ("LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG")):
         os.environ["LANGUAGE"] = language  # Windows, whose language gettext does not ask for
     if helping:
-        say = Translator(language).gettext
+        say = partial(said, language)
         for command in (group, *group.commands.values()):
             command.context_class = _speaking(command.context_class, say)
             command.help = say(command.help or "")
@@ -274,5 +267,5 @@ def lost(code: str | int | None, out: Careful) -> str | int | None:
     from tmm_report.commands.talk import reason
 
     text = Message(N_("the standard output could not be written: %(reason)s"), {"reason": reason(out.error)})
-    Console(users_language()).warn(text)
+    Console(languages.users()).warn(text)
     return code or 1

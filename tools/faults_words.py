@@ -32,7 +32,7 @@ UNITS = {
     "m": "m/s", "m/s": "m/s²", "m/s²": "m/s", "rad/s": "rad/s²", "rad/s²": "rad/s", "N": "N·m", "N·m": "N",
     "kg": "kg·m²", "kg·m²": "kg", "W": "J", "J": "W", "N/m": "N", "mm": "m", "rad": "rad/s", "kg·m": "kg", "s": "m",
 }  # fmt: skip
-CATALOGUE = "templates/locale/ru/LC_MESSAGES/tmm_report.mo"
+CATALOGUE = "templates/locale/ru/LC_MESSAGES/note.mo"
 TEXT = re.compile(r't\("((?:[^"\\]|\\.)+)"')
 CAPTION = re.compile(r'm\.(?:table|figure)\(.*?t\("([^"%\\]+)"')
 SOURCE = re.compile(r'm\.by\("(\w+)"[^)]*\)')

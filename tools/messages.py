@@ -1,80 +1,73 @@
 """Refresh the translations: `python tools/messages.py` after any change of a text (needs babel).
 
-Collects the message ids of the program and the templates, takes their translations from the language's .po, writes
-.po and .mo, and lists what is still untranslated or does not use the terms of the language's glossary (exit code 1).
+Collects the message ids of the program and the templates (tools/texts.py), takes their translations from the language's
+two catalogues, writes .po and .mo of each, and lists what is still untranslated or does not use the terms of the
+language's glossary (exit code 1).
 """
 
 from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterator
 from datetime import UTC, datetime
-from functools import cache
 from pathlib import Path
 
-import typer
 import yaml
 from babel.messages.catalog import Catalog, Message
-from babel.messages.extract import DEFAULT_KEYWORDS, extract_from_dir
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po, write_po
+from texts import domain, extracted
 
-from tmm_report.cli import app
+from tmm_report.i18n import DOMAINS, Domain
 from tmm_report.languages import LANGUAGES
 
 ROOT = Path(__file__).resolve().parent.parent
 LOCALE = ROOT / "templates" / "locale"
-KEYWORDS = {**DEFAULT_KEYWORDS, "N_": None, "t": None, "count": (1, 2), "NP_": ((1, "c"), 2)}
-JINJA = {"silent": "false"}  # the templates' delimiters go here when they are not Jinja's own
-SOURCES: tuple[tuple[str, str, str, dict[str, str]], ...] = (
-    ("tmm_report", "**.py", "python", {}),
-    ("templates", "**.j2", "jinja2", JINJA),
-)
 VALUES = re.compile(r"%\(\w+\)")
 UNDATED = datetime(2000, 1, 1, tzinfo=UTC)  # a date would change the file at every run
 
 
-@cache
-def extracted() -> tuple[tuple[str, str | tuple[str, ...], str | None], ...]:
-    """(file, message id, context) of every text of the program and its templates."""
-    return (*_extracted(), *_of_the_command_line())
+def po_file(language: str, of: Domain) -> Path:
+    return LOCALE / language / "LC_MESSAGES" / f"{of}.po"
 
 
-def _extracted() -> Iterator[tuple[str, str | tuple[str, ...], str | None]]:
-    for folder, pattern, method, options in SOURCES:
-        found = extract_from_dir(
-            ROOT / folder, [(pattern, method)], {pattern: options}, KEYWORDS, directory_filter=lambda _: True
-        )
-        for file, _, message, _, context in found:
-            if message:
-                yield f"{folder}/{Path(file).as_posix()}", message, context
+def known(language: str) -> list[Catalog]:
+    """The translations there are: none for a language whose catalogues are being begun."""
+    found = []
+    for file in (po_file(language, of) for of in DOMAINS):
+        if file.is_file():
+            with file.open("rb") as text:
+                found.append(read_po(text, locale=language))
+    return found
 
 
-def _of_the_command_line() -> Iterator[tuple[str, str, None]]:
-    """Help of the commands and of their options."""
-    group = typer.main.get_group(app)
-    for command in (group, *group.commands.values()):
-        for one in (command, *command.params):
-            if help_of := getattr(one, "help", None):
-                yield "tmm_report/cli.py", help_of, None
+def merged(language: str, of: Domain | None = None) -> Catalog:
+    """Every text of a catalogue, or of both, with its translation, or with an empty one.
+
+    A text that has moved from one to the other brings its translation.
+    """
+    catalogue = _empty(language)
+    for file, message, context in extracted():
+        catalogue.add(message, locations=[(file, 0)], context=context)
+    for entry in messages(catalogue):
+        if of is not None and of != domain_of(entry):
+            catalogue.delete(entry.id, entry.context)
+    translated = known(language)
+    for entry in messages(catalogue):
+        found = [one for known in translated if (one := known.get(entry.id, entry.context)) and _filled(one)]
+        if found:
+            entry.string = found[0].string
+    return catalogue
 
 
-def po_file(language: str) -> Path:
-    return LOCALE / language / "LC_MESSAGES" / "tmm_report.po"
+def domain_of(entry: Message) -> Domain:
+    """That of the files in which a text stands."""
+    found = {domain(file) for file, _ in entry.locations}
+    return next(one for one in DOMAINS if one in found)
 
 
-def known(language: str) -> Catalog:
-    """The translations there are: none for a language whose catalogue is being begun."""
-    if not po_file(language).is_file():
-        return Catalog(locale=language)
-    with po_file(language).open("rb") as file:
-        return read_po(file, locale=language)
-
-
-def merged(language: str) -> Catalog:
-    """Every message of the program with its translation, or with an empty one."""
-    catalogue = Catalog(
+def _empty(language: str) -> Catalog:
+    return Catalog(
         locale=language,
         header_comment="# Written by tools/messages.py; translations may be edited here.",
         project="tmm-report",
@@ -87,14 +80,6 @@ def merged(language: str) -> Catalog:
         revision_date=UNDATED,
         fuzzy=False,
     )
-    translated = known(language)
-    for file, message, context in extracted():
-        catalogue.add(message, locations=[(file, 0)], context=context)
-    for entry in messages(catalogue):
-        found = translated.get(entry.id, entry.context)
-        if found and _filled(found):
-            entry.string = found.string
-    return catalogue
 
 
 def messages(catalogue: Catalog) -> list[Message]:
@@ -153,8 +138,8 @@ def _called(name: str, text: str) -> bool:
     return re.search(rf"\b{pattern}", text, re.I) is not None
 
 
-def write(language: str, catalogue: Catalog) -> None:
-    po = po_file(language)
+def write(language: str, of: Domain, catalogue: Catalog) -> None:
+    po = po_file(language, of)
     po.parent.mkdir(parents=True, exist_ok=True)
     with po.open("wb") as file:
         write_po(file, catalogue, width=110, sort_output=True, no_location=True)
@@ -164,11 +149,14 @@ def write(language: str, catalogue: Catalog) -> None:
 
 def main() -> int:
     wrong = []
-    for language in (row.code for row in LANGUAGES.values() if not row.ids):
-        catalogue = merged(language)
-        write(language, catalogue)
-        found = [f"untranslated: {text}" for text in missing(catalogue)]
-        found += misnamed(catalogue, glossary(language)) if glossary(language) else ["no glossary.yaml"]
+    for row in (row for row in LANGUAGES.values() if not row.ids):
+        language = row.code
+        for of in DOMAINS if row.messages else DOMAINS[:1]:
+            catalogue = merged(language, of)
+            write(language, of, catalogue)
+            wrong += [f"{language}, {of}: untranslated: {text}" for text in missing(catalogue)]
+        terms = glossary(language)
+        found = misnamed(merged(language), terms) if terms else ["no glossary.yaml"]
         wrong += [f"{language}: {text}" for text in found]
     print("\n".join(wrong) or "every message is translated")
     return 1 if wrong else 0

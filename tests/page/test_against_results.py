@@ -219,7 +219,7 @@ def wrong_text(where: str, cell: Cell, mark: Mark, value: Any) -> Iterator[str]:
 
 # index words and Greek letters as the page writes them
 def _index_words() -> dict[str, str]:
-    with (data_root() / "templates/locale/ru/LC_MESSAGES/tmm_report.po").open("rb") as file:
+    with (data_root() / "templates/locale/ru/LC_MESSAGES/note.po").open("rb") as file:
         words = {
             entry.id: entry.string for entry in read_po(file) if entry.context == "index" and entry.string
         }

@@ -18,7 +18,7 @@ from typer.testing import CliRunner
 from tmm_report import languages, load, solve
 from tmm_report.cli import app
 from tmm_report.commands.whole import LIST
-from tmm_report.i18n import Translator
+from tmm_report.i18n import DOMAINS, Translator
 from tmm_report.languages import LANGUAGES, SIGNS, Language, language, of_locale
 from tmm_report.loading import schema
 from tmm_report.problems import Message, ProblemError
@@ -75,16 +75,16 @@ def of_translations(row: Language, tool: dict) -> list[str]:
 
 
 def of_catalogue(row: Language, tool: dict) -> Iterator[str]:
-    po = tool["po_file"](row.code)
-    yield from (
-        f"locale/{row.code}: {file.name}" for file in (po, po.with_suffix(".mo")) if not file.is_file()
-    )
-    if not po.is_file():
-        return
-    catalogue = tool["merged"](row.code)
-    yield from (f"{po.name}: no translation of {text!r}" for text in tool["missing"](catalogue))
-    known = {entry.id for entry in tool["messages"](catalogue) if entry.context == "unit" and entry.string}
-    yield from (f"{po.name}: no translation of the unit {unit}" for unit in UNITS if unit not in known)
+    for domain in DOMAINS if row.messages else ("note",):
+        po = tool["po_file"](row.code, domain)
+        files = (po, po.with_suffix(".mo"))
+        yield from (f"locale/{row.code}: {file.name}" for file in files if not file.is_file())
+        if po.is_file():
+            catalogue = tool["merged"](row.code, domain)
+            yield from (f"{po.name}: no translation of {text!r}" for text in tool["missing"](catalogue))
+    words = tool["messages"](tool["merged"](row.code, "note"))
+    known = {entry.id for entry in words if entry.context == "unit" and entry.string}
+    yield from (f"note.po: no translation of the unit {unit}" for unit in UNITS if unit not in known)
 
 
 def of_glossary(row: Language, tool: dict) -> Iterator[str]:
@@ -115,8 +115,10 @@ def test_of_a_language_with_only_a_row_everything_is_missing(tool, monkeypatch):
     for piece in (
         "babel has no language 'nonesuch'",
         "new/eo.yaml",
-        "locale/eo: tmm_report.po",
-        "locale/eo: tmm_report.mo",
+        "locale/eo: note.po",
+        "locale/eo: note.mo",
+        "locale/eo: messages.po",
+        "locale/eo: messages.mo",
         "glossary.yaml: 0 terms",
     ):
         assert piece in said, said
@@ -124,10 +126,10 @@ def test_of_a_language_with_only_a_row_everything_is_missing(tool, monkeypatch):
 
 @pytest.fixture
 def begun(tmp_path, monkeypatch, tool):
-    """The Russian files copied; their catalogue as a list of lines to change."""
+    """The Russian files copied; their catalogue of notes as a list of lines to change."""
     shutil.copytree(TEMPLATES / "locale", tmp_path / "locale")
     monkeypatch.setitem(tool["merged"].__globals__, "LOCALE", tmp_path / "locale")
-    return tool, tmp_path / "locale" / "ru" / "LC_MESSAGES" / "tmm_report.po"
+    return tool, tmp_path / "locale" / "ru" / "LC_MESSAGES" / "note.po"
 
 
 @pytest.mark.exhaustive

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 from tmm_report import load, solve
@@ -10,7 +11,7 @@ from tmm_report.commands.check import junit as xml
 from tmm_report.commands.check import numbers, stored, structure
 from tmm_report.commands.files import render, write
 from tmm_report.commands.talk import Talk, failure, unwritable, written
-from tmm_report.i18n import Translator
+from tmm_report.i18n import said
 from tmm_report.languages import FALLBACK
 from tmm_report.problems import N_, Message, Problem, ProblemError, shown
 from tmm_report.records import dataclass
@@ -51,7 +52,7 @@ def run(folder: Path, *, update: bool, junit: Path | None, language: str | None,
     Raises ProblemError where a sample or a stored file cannot be read, after all others were looked at.
     """
     talk.speak(language or FALLBACK)
-    say = Translator(language or FALLBACK).gettext
+    say = partial(said, language or FALLBACK)
     variants, lonely = samples(folder)
     outcomes = [_staged(variant, talk) for variant in variants] + [_lonely(path) for path in lonely]
     for outcome in outcomes:

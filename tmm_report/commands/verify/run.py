@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import platform
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,7 @@ from tmm_report.commands.talk import Talk
 from tmm_report.commands.verify.found import of_functions, row, single
 from tmm_report.commands.verify.reference import Reference, read
 from tmm_report.course import Results
-from tmm_report.i18n import Translator
+from tmm_report.i18n import said
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.records import dataclass
 from tmm_report.resources import data_root, references_root
@@ -80,7 +81,7 @@ def run(names: Sequence[str], language: str, talk: Talk) -> bool:
     """Tell the worst errors of the named variants, or of all and of the involute function; whether all numbers are
     right. Raises ProblemError."""
     talk.speak(language)
-    say = Translator(language).gettext
+    say = partial(said, language)
     chosen = _chosen(names)
     talk.tell(_machine())
     heads = [f"{say(head):>{NARROW}}" for head in COLUMNS]
