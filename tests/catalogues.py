@@ -16,7 +16,7 @@ TOOLS = Path(__file__).resolve().parent.parent / "tools"
 
 @once
 def texts() -> tuple[Any, ...]:
-    return runpy.run_path(str(TOOLS / "texts.py"))["extracted"]()
+    return runpy.run_path(str(TOOLS / "wording" / "texts.py"))["extracted"]()
 
 
 @cache

@@ -1,8 +1,8 @@
 """Refresh the translations: `python tools/messages.py` after any change of a text (needs babel).
 
-Collects the message ids of the program and the templates (tools/texts.py), takes their translations from the language's
-two catalogues, writes .po and .mo of each, and lists what is still untranslated or does not use the terms of the
-language's glossary (exit code 1).
+Collects the message ids of the program and the templates (tools/wording/texts.py), takes their translations from the
+language's two catalogues, writes .po and .mo of each, and lists what is still untranslated or does not use the terms of
+the language's glossary (exit code 1).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import yaml
 from babel.messages.catalog import Catalog, Message
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po, write_po
-from texts import domain, extracted
+from wording.texts import domain, extracted
 
 from tmm_report.i18n import DOMAINS, Domain
 from tmm_report.languages import LANGUAGES

@@ -50,7 +50,7 @@ class Scale(NamedTuple):
     def written(self, times: float, tr: Translator) -> Parts:
         one = self.item
         text = number(one.value / times if self.per_mm else one.value, one.digits, tr.decimal)
-        return lettered(_sign(one.symbol), tr.gettext), f" = {text}{plain.gap(one.unit, tr)}"
+        return lettered(_sign(one.symbol), tr.in_index), f" = {text}{plain.gap(one.unit, tr)}"
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class Figure:
         for one in self.title:
             if not isinstance(one, str):
                 words[-1] += (
-                    one.written(times, tr) if isinstance(one, Scale) else (lettered(one, tr.gettext),)
+                    one.written(times, tr) if isinstance(one, Scale) else (lettered(one, tr.in_index),)
                 )
                 continue
             first, *others = re.split(r"[ \t\n]+", one)

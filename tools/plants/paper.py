@@ -7,6 +7,7 @@ PRINT = ("tests/commands/test_printing.py",)
 FRONT = ("tests/report/test_front_matter.py",)
 DEPARTMENT = ("tests/batches/test_department.py",)
 OWN = ("tests/report/test_own_template.py",)
+CATALOGUES = ("tests/languages/test_catalogues.py",)
 FRAMES = ("tests/report/paper/test_frames.py",)
 THINNED = ("tests/figures/test_thinning.py",)
 SHEETS = ("tests/sheets/test_drawing_sheets.py", "tests/sheets/test_sheet_files.py")
@@ -40,6 +41,14 @@ FAULTS = (
           'here.replace("\\\\", r"\\\\")', "here", tests=PROFILES),
     Fault("an assignment sheet without its dates", "templates/chapters/assignment.j2",
           "{% if assignment.due %}", "{% if assignment.issued %}", tests=FRONT),
+    Fault("a doubt of a note among the messages", "tools/wording/texts.py",
+          '"tmm_report/variant/slips/odd.py"', '"tmm_report/variant/slips/odder.py"', tests=CATALOGUES),
+    Fault("a catalogue without the other behind it", "tmm_report/i18n.py",
+          "found.add_fallback(_Other(", "repr(_Other(", tests=CATALOGUES),
+    Fault("messages of a foreign note in English alone", "tmm_report/languages.py",
+          "language(code).messages else users()", "language(code).messages else FALLBACK", tests=CATALOGUES),
+    Fault("letters of an index looked up among the messages", "tmm_report/i18n.py",
+          'message if self.domain == "messages" else', "", tests=CATALOGUES),
     Fault("who signs is left out of the title page", "templates/chapters/title.j2",
           "{% for one in title.signed %}", "{% for one in title.signed[1:] %}", tests=FRONT),
     Fault("a department that goes before its variant", "tmm_report/variant/department.py",

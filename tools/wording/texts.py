@@ -19,7 +19,7 @@ from babel.messages.extract import DEFAULT_KEYWORDS, extract_from_dir
 from tmm_report.cli import app
 from tmm_report.i18n import Domain
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 ONE = {"gettext", "N_", "t"}  # of a text
 CONTEXT = {"pgettext", "NP_"}  # of a context and a text
 COUNTED = {"ngettext", "count"}  # of a text for one and for many
