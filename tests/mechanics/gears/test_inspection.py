@@ -37,7 +37,6 @@ class Flank:
         self.half_pitch = math.pi / z
 
     def turned(self, vectors, angle):
-        angle = np.broadcast_to(angle, (POINTS,))
         c, s = np.cos(angle), np.sin(angle)
         x, y, z = vectors.T
         return np.stack([c * x - s * y, s * x + c * y, z], axis=-1)

@@ -71,8 +71,8 @@ class Phases:
             here = number == k
             if not np.any(here):
                 continue
-            for whole, part in zip(found, self.of_phase(k, phase, theta), strict=True):
-                np.copyto(whole, part, where=here)
+            for whole, part in zip(found, self.of_phase(k, phase, theta[here]), strict=True):
+                whole[here] = part
         return found  # type: ignore[return-value]
 
     def of_phase(self, k: int, phase: Phase, theta: Array) -> Three:
