@@ -121,28 +121,37 @@ def in_print(quick: bool) -> dict[str, dict[str, Any]]:
     """Notes laid out for print: a small and a wide one; or all other ready variants', and the other wide one."""
     notes = {f"{name}-{read(name).language}": partial(a_note, name, read(name).language) for name in NAMES}
     makers = notes | {f"wide-{language}": partial(a_wide_note, language) for language in LANGUAGES}
-    with TemporaryDirectory(ignore_cleanup_errors=True) as folder, browser(Path(folder)) as talk:
-        chosen = {name: make for name, make in makers.items() if (name in QUICK_PRINTED) == quick}
+    chosen = {name: make for name, make in makers.items() if (name in QUICK_PRINTED) == quick}
+    with TemporaryDirectory(ignore_cleanup_errors=True) as folder, browser(Path(folder)) as talk, sheet(talk):
         return {name: laid_out(talk, Path(folder) / "note.html", make()) for name, make in chosen.items()}
 
 
-def laid_out(talk: Talk, file: Path, content: bytes, width: float = 165) -> dict[str, Any]:
-    """`width`: of the text of the page, mm."""
-    file.write_bytes(content)
-    pixels = round(width * 96 / 25.4)
-    target = talk.ask("Target.createTarget", url="about:blank", width=pixels, height=1200, newWindow=True)
+@contextmanager
+def sheet(talk: Talk) -> Iterator[None]:
+    """One window for notes laid out for print, one after another: a window is dearer than a small note."""
+    target = talk.ask("Target.createTarget", url="about:blank", width=1000, height=1200, newWindow=True)
     talk.session = talk.ask("Target.attachToTarget", **target, flatten=True)["sessionId"]
-    talk.events.clear()
     talk.ask("Page.enable")
     talk.ask("Emulation.setEmulatedMedia", media="print")
+    yield
+    talk.session = None
+    talk.ask("Target.closeTarget", **target)
+
+
+def laid_out(talk: Talk, file: Path, content: bytes, width: float = 165) -> dict[str, Any]:
+    """On a `sheet`; `width`: of the text of the page, mm."""
+    file.write_bytes(content)
     talk.ask(
-        "Emulation.setDeviceMetricsOverride", width=pixels, height=1200, deviceScaleFactor=1, mobile=False
+        "Emulation.setDeviceMetricsOverride",
+        width=round(width * 96 / 25.4),
+        height=1200,
+        deviceScaleFactor=1,
+        mobile=False,
     )
+    talk.events.clear()
     talk.ask("Page.navigate", url=file.as_uri())
     talk.wait_for("Page.loadEventFired")
     found = talk.ask("Runtime.evaluate", expression=IN_PRINT, awaitPromise=True, returnByValue=True)
-    talk.session = None
-    talk.ask("Target.closeTarget", **target)
     return found["result"]["value"]
 
 

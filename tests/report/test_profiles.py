@@ -8,10 +8,11 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 import numpy as np
 import pytest
-from browser import browser, laid_out, opened
+from browser import browser, laid_out, opened, sheet
 from conftest import read, solved
 from notes import VARIANTS, program
 from once import once
@@ -306,12 +307,27 @@ def runs(file: Path) -> list[int]:
     return [int((ends - starts).max()) for starts, ends in rows]
 
 
+def width_of(name: str) -> float:
+    """Of the text of a page, mm."""
+    return PROFILES[name].margins.left_of_a4[0]
+
+
+@once
+def by_window() -> dict[str, dict[str, Any]]:
+    """Laid out for print at the profile's width."""
+    with TemporaryDirectory(ignore_cleanup_errors=True) as place, browser(Path(place)) as talk, sheet(talk):
+        return {
+            name: laid_out(
+                talk, Path(place) / "note.html", note(name, depth="course")["note.html"], width_of(name)
+            )
+            for name in PROFILES
+        }
+
+
 @each
 def test_every_picture_has_its_own_size_in_the_browser(name):
-    """As wide on the page as it was drawn, and none beyond the text: laid out for print at the profile's width."""
-    width = PROFILES[name].margins.left_of_a4[0]
-    with TemporaryDirectory(ignore_cleanup_errors=True) as folder, browser(Path(folder)) as talk:
-        seen = laid_out(talk, Path(folder) / "note.html", note(name, depth="course")["note.html"], width)
+    """As wide on the page as it was drawn, and none beyond the text."""
+    width, seen = width_of(name), by_window()[name]
     assert seen["text"] == pytest.approx(width * 96 / 25.4, abs=1) and seen["wide"] == []
     assert len(seen["drawn"]) > 8
     assert all(
