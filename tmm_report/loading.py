@@ -115,11 +115,11 @@ def _rooms() -> Rooms:
     return Rooms([room(name, "block") for name in ("title", *LEVER)], beside)
 
 
-def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Variant:
+def _variant(document: yamlread.Document, file: str, soft: list[Problem], doubted: bool = True) -> Variant:
     from tmm_report.chapters.lever.structure.block import stated
     from tmm_report.variant.reading import read as read_blocks
 
-    found = read_blocks(document, file, soft, _rooms(), _further)
+    found = read_blocks(document, file, soft, _rooms(), _further, doubted)
     if "drive" in found.data and (stated(found) or "cam" in found.data):
         found = _geared(found, document, file)
     made = Variant(
@@ -136,11 +136,12 @@ def _variant(document: yamlread.Document, file: str, soft: list[Problem]) -> Var
 
 
 def _restated(document: yamlread.Document, file: str, asked: find.Given, numbers: Sequence[float]) -> Variant:
-    """The variant with numbers in the places of the unknowns. Raises ProblemError for one that may not stand there."""
+    """The variant with numbers in the places of the unknowns, without doubts: those of the file are told. Raises
+    ProblemError for one that may not stand there."""
     data, paths = asked.put(document.data, numbers), {one.path for one in asked.unknowns}
     raw = {path: text for path, text in document.raw.items() if path not in paths}
     rest = {key: value for key, value in data.items() if key != "find"}
-    return _variant(replace(document, data=rest, raw=raw), file, [])
+    return _variant(replace(document, data=rest, raw=raw), file, [], doubted=False)
 
 
 def _further(read: Read) -> Iterator[Problem]:

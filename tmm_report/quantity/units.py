@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import re
 from contextlib import suppress
+from functools import lru_cache
 from typing import NamedTuple
 
 from tmm_report.problems import N_, Message, shown
@@ -269,6 +270,7 @@ def _fraction(text: str, wanted: Dimension) -> float | None:
     return over[0] / under[0]
 
 
+@lru_cache(maxsize=1000)  # a file has many numbers of few units
 def _unit(text: str, wanted: Dimension) -> tuple[float, Exponents]:
     """Factor and exponents of products and powers with at most one quotient: `kg*m^2`, `об/мин`, `м/с2`."""
     over, *under = _CUT.sub(r"\1", text).replace("**", "^").split("/")

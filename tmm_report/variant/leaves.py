@@ -65,8 +65,6 @@ def leaves(models: Iterable[type[BaseModel]], data: Any) -> Iterator[Leaf]:
 def _of_model(model: type[BaseModel], data: Any, path: Path) -> Iterator[Leaf]:
     if not isinstance(data, dict):
         return
-    if not model.__pydantic_fields_complete__:  # it names a model that stands behind it
-        model.model_rebuild()
     walks = _walks(model)
     for key, walk in walks.items():
         if key in data:
@@ -79,6 +77,8 @@ def _of_model(model: type[BaseModel], data: Any, path: Path) -> Iterator[Leaf]:
 @cache
 def _walks(model: type[BaseModel]) -> dict[str, Walk]:
     """How the value of each key of a model is walked."""
+    if not model.__pydantic_fields_complete__:  # it names a model that stands behind it
+        model.model_rebuild()
     return {
         field.alias or name: _walk(field.annotation, (*field.metadata, field.discriminator))
         for name, field in model.model_fields.items()

@@ -27,10 +27,16 @@ MOST_FOUND = 2000  # mistakes that one block says of its parts: a file can have 
 
 
 def read(
-    document: Document, file: str, soft: Iterable[Problem], rooms: Rooms, further: Further = lambda read: ()
+    document: Document,
+    file: str,
+    soft: Iterable[Problem],
+    rooms: Rooms,
+    further: Further = lambda read: (),
+    doubted: bool = True,
 ) -> Read:
     """The blocks of the file; `soft`: mistakes met in its text; `further`: what solving says wrong of the keys that
-    have no mistakes, asked only where others have some. Raises ProblemError with all mistakes."""
+    have no mistakes, asked only where others have some; `doubted`: whether anybody asks what looks odd, which is a
+    quarter of the reading. Raises ProblemError with all mistakes."""
     problems, data = list(soft), document.data
     if not isinstance(data, dict):
         right = Message(N_("start from the one that `tmm-report new` writes"))
@@ -55,7 +61,7 @@ def read(
             problems += [*further(replace(found, broken=keys)), *odd.all_lengths(found)]
     if problems or len(blocks) < len(needed):
         raise _error(problems, document, file)
-    return replace(found, doubts=tuple(_placed(_doubts(found, needed), document, file)))
+    return replace(found, doubts=tuple(_placed(_doubts(found, needed), document, file))) if doubted else found
 
 
 def _without_mechanism(data: dict[str, Any], rooms: Rooms) -> bool:
