@@ -383,7 +383,7 @@ def chapters(results: Results) -> Iterator[tuple[str, Any]]:
 def summary(results: Results) -> Iterator[Message]:
     """The main numbers of the chapters beside the lever's, in sentences; what was left out."""
     if asked := left_out(results):
-        text = N_("left out, as the mechanism does not close all round: %(blocks)s")
+        text = N_("left out, as the mechanism does not close over the whole cycle: %(blocks)s")
         yield Message(text, {"blocks": ", ".join(asked)})
     yield from (line for name, found in chapters(results) if name in OTHERS for line in found.summary())
 

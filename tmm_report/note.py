@@ -55,7 +55,8 @@ def _undone(results: Results) -> Iterator[Message]:
     """What the variant asks and the note has not; of a variant without a lever mechanism, what looks odd in it."""
     if blocks := left_out(results):
         text = N_(
-            "The mechanism does not close all round, so that these parts of the project are left out: %(blocks)s."
+            "The mechanism does not close over the whole cycle; these parts of the project are therefore left out: "
+            "%(blocks)s."
         )
         yield Message(text, {"blocks": ", ".join(blocks)})
     for problem in doubts(results) if results.lever is None else ():  # else they stand under the initial data

@@ -56,7 +56,7 @@ def forces() -> dict[str, dict[str, Cell]]:
 
 def spoken() -> dict[str, tuple[Cell, list[str]]]:
     """The program's sentences, without those that every solution has."""
-    plain = ("largest difference of the graph", "checks of the balancing moment", "I(0,1)", "no plans")
+    plain = ("largest difference of the graph", "checks of the balancing moment", "I(0,1)", "no polygons")
     found = {}
     for key, scene in SCENES.items():
         one = columns.solved(key)

@@ -53,7 +53,7 @@ def mistaken(id: str, columns: Numbers) -> str:
             return "a power of ten"
         case "st06":
             columns["a_D"] *= 1.27
-            return "scale of the plan"
+            return "scale of the polygon"
         case "st07":
             for key in ("V_B", "A_B", "S_B"):
                 columns[key] = np.roll(columns[key], 1)
@@ -78,7 +78,7 @@ def mistaken(id: str, columns: Numbers) -> str:
             columns["v_BA"] *= 1.2
             columns["w_2"] *= 1.2
             columns["a_BA_n"] *= 1.44
-            return "scale of the plan"
+            return "scale of the polygon"
     return ""
 
 

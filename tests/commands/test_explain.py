@@ -152,7 +152,7 @@ def test_the_way_to_a_velocity_goes_from_the_crank_through_the_vector_equation()
         "v_B (∥x) = v_A + v_BA (⟂AB)",
         "v_B = pb·μ_v = 59.25·0.075 = 4.444 m/s",
     ]
-    assert "4.3 Plan of velocities, position 7" in said
+    assert "4.3 Velocity polygon, position 7" in said
     assert "  v_B = 4.4437 m/s" in said
     assert "  l_OA = 0.1 m – length of segment OA" in said
 

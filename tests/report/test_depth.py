@@ -95,8 +95,8 @@ def test_the_usual_note_of_a_compressor_is_shorter_and_has_appendices():
     course, full = heads(text("compressor", "course")), heads(text("compressor", "full"))
     assert [head for head in course if head.startswith("Appendix")]
     assert "List of symbols" in full and "List of symbols" not in course
-    assert sum("Plan of velocities" in head for head in full) > sum(
-        "Plan of velocities" in head for head in course
+    assert sum("Velocity polygon" in head for head in full) > sum(
+        "Velocity polygon" in head for head in course
     )
 
 
@@ -123,7 +123,7 @@ def test_a_piece_goes_where_it_is_told_to():
 ])  # fmt: skip
 def test_as_many_positions_have_their_plans_worked_out_as_is_said(note, count):
     results = solved("crank_rocker")
-    found = [head for head in heads(noted(results, **note)) if "Plan of velocities" in head]
+    found = [head for head in heads(noted(results, **note)) if "Velocity polygon" in head]
     assert len(found) == count and any(head.endswith(f"position {results.lever.sample}") for head in found)
 
 

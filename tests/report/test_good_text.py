@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import re
 import sys
+from collections.abc import Iterator
+from contextlib import suppress
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 from xml.etree.ElementTree import Element
@@ -19,6 +22,8 @@ from note import read, text_of
 
 from tmm_report.i18n import Translator
 from tmm_report.languages import LANGUAGES
+from tmm_report.quantity.sheet import Q
+from tmm_report.quantity.symbols import Symbol, math_symbol
 from tmm_report.quantity.text import UNITS, unit_text
 from tmm_report.report.sources import SOURCES
 
@@ -102,7 +107,12 @@ def test_a_source_has_the_same_numbers_in_both_languages_and_ends_with_a_stop(so
 WRONG = {  # what the terms of the course are not called: ISO 1122 and IFToMM in English, usage in Russian
     "en": r"swing centre|frequency of rotation|height of the head|active means|The calculation follows|insensitivity"
     r"|(?i:working (?:diameter|circle)|shortening of the tip|coefficient of non-uniformity|thickness of the tooth)"
-    r"|(?i:\bsatellites?\b(?![:)]))",  # but the key of a variant is called so
+    r"|(?i:\bsatellites?\b(?![:)]))"  # but the key of a variant is called so
+    r"|(?i:\bplans? of (?:velocit|accel|forces|angular)|\b(?:force|velocity|acceleration) plans?\b|graph-analytical)"
+    r"|(?i:vector contour|\bangles? of turn\b|reversed motion|\b(?:turning|sliding) pairs?\b|forces of inertia)"
+    r"|(?i:\bhands? on\b|in the pitch point|on the (?:mean|average)\b(?! )|\bin hand\b|isodrome of|error of rounding)"
+    r"|(?i:add up to nothing|is wanting|\ball over its\b|\bat the most\b|\bis nil\b)"
+    r"|(?i:derivatives? [^.:;%]* by the angle)",
     "ru": r"активное средство|амортизатор|коэффициент\w* виброизоляции|Расчёт ведётся|Формула строения"
     r"|(?i:демпфирование лежит|частота оборотов)|—",
 }
@@ -136,3 +146,27 @@ def test_curves_stand_at_round_scales(name):
     scales = [float(one) for one in SCALE.findall(captions)]
     assert len(scales) > 6
     assert not [one for one in scales if not any(f"{one:e}".startswith(f"{r:e}"[:8]) for r in ROUND)]
+
+
+def test_a_symbol_of_a_sentence_is_that_of_the_formulas():
+    """`sym("T_1")` in a template prints its own letters: where a quantity of the chapter has this key, they are its."""
+    other = []
+    for template in CHAPTERS.rglob("*.j2"):
+        named = set(re.findall(r'\bsym\("([^"]+)"\)', template.read_text("utf-8")))
+        for key, declared in _declared(template.relative_to(CHAPTERS).with_suffix("").parts):
+            if key in named and math_symbol(key) != declared:
+                other.append((template.stem, key))
+    # the clearance coefficient c* there, beside the coefficient c of the equation for whole numbers of teeth
+    assert other == [("eccentric", "c")]
+
+
+def _declared(chapter: tuple[str, ...]) -> Iterator[tuple[str, Symbol]]:
+    """Keys and symbols of single numbers and columns that a chapter, or the one that it is a part of, declares."""
+    for deep in range(2, len(chapter) + 1):
+        with suppress(ModuleNotFoundError):
+            sheets = vars(import_module(".".join(["tmm_report.chapters", *chapter[:deep], "values"])))
+            for sheet in sheets.values():
+                if isinstance(sheet, type) and sheet.__module__.endswith(".values"):
+                    for key, one in vars(sheet).items():
+                        if isinstance(one, Q) and one.quantity.symbol is not None:
+                            yield key, one.quantity.symbol

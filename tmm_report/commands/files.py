@@ -69,7 +69,7 @@ def _see_few(results: Results) -> None:
         return
     plans = len(lever.plans.drawn) + (len(lever.force_plans.drawn) if lever.force_plans else 0)
     if plans > PICTURED:
-        text = N_("--format png: plans in %(count)s positions give too many pictures; at most %(limit)s")
+        text = N_("--format png: polygons in %(count)s positions give too many pictures; at most %(limit)s")
         raise failure(text, count=plans, limit=PICTURED)
 
 

@@ -249,7 +249,7 @@ def _differences(lever: LeverFound, talk: Talk) -> None:
     if not plans.drawn and not (forces and forces.drawn):
         return
     worst = max(plans.worst, forces.worst if forces else 0.0)
-    text = N_("largest difference of the graph-analytical method: %(percent).3g %%")
+    text = N_("largest difference of the graphical method: %(percent).3g %%")
     talk.tell(Message(text, {"percent": worst}))
 
 
@@ -263,7 +263,9 @@ def _own_numbers(results: Results, talk: Talk) -> bool:
     for one in found.wrong:
         talk.warn(locate(one.problem, results.variant))
     if found.unsigned:
-        text = N_("compared without signs, as plans give them; the analytical values are negative: %(names)s")
+        text = N_(
+            "compared without signs, as polygons give them; the analytical values are negative: %(names)s"
+        )
         names = ", ".join(dict.fromkeys(one.written for one in found.unsigned))
         talk.tell(Message(text, {"names": names}))
     return not found.wrong
@@ -274,8 +276,8 @@ def _no_plans(lever: LeverFound, talk: Talk) -> None:
     missing = [k for k in lever.plans.singular if k in lever.kinematics.missing]
     singular = [k for k in lever.plans.singular if k not in missing]
     texts = (
-        N_("no plans at singular positions: %(numbers)s"),
-        N_("no plans at positions that do not exist: %(numbers)s"),
+        N_("no polygons at singular positions: %(numbers)s"),
+        N_("no polygons at positions that do not exist: %(numbers)s"),
     )
     for text, numbers in zip(texts, (singular, missing), strict=True):
         if numbers:

@@ -102,6 +102,10 @@ class BookView:
             for key, one in ((key, self.of(name, key)) for key in keys)
         ]
 
+    def column_sign(self, name: str, key: str) -> Markup:
+        """The symbol of a column, as it stands in formulas."""
+        return self.page.sym(self.of(name, key).quantity.sign)
+
     # --- tables
 
     def table(self, name: str) -> Table:

@@ -433,7 +433,7 @@ class Page:
         """A relative difference that is not exceeded; what is nothing but rounding is said so."""
         value = of.value if isinstance(of, Value) else of[key].number(row)
         if abs(value) < ROUNDING:
-            return self.t(N_("the error of rounding"))
+            return self.t(N_("the rounding error"))
         return self.shown(of, key, row, digits=2, scale=0)
 
     def measured(self, of: Value, **form: Any) -> Markup:

@@ -73,7 +73,9 @@ def _work(data: Mapping[str, Any]) -> Iterator[Problem]:
     for key in ("plans", "force_plan"):
         plans = _length(_at(data, ("positions", key)))
         if plans * links > PLANS and plans > 1:
-            text = N_("plans in %(plans)s positions of a mechanism with %(links)s moving links are too many")
+            text = N_(
+                "polygons in %(plans)s positions of a mechanism with %(links)s moving links are too many"
+            )
             right = Message(N_("at most %(count)s positions"), {"count": max(1, PLANS // links)})
             yield mistake(text, ("positions", key), right, plans=plans, links=links)
 

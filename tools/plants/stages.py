@@ -72,9 +72,9 @@ FAULTS = (
           STAGES),
     Fault("stages: outer and inner friction exchanged in words", ORDINARY + "words.py",
           '"Friction wheels %(one)s and %(two)s are pressed together, one within the other; wheel %(one)s'
-          ' drives, both "\n        "turn in the same sense."',
-          '"Friction wheels %(one)s and %(two)s are pressed together; wheel %(one)s drives, wheel %(two)s turns'
-          ' in the "\n        "opposite sense."', CHAIN,
+          ' drives, "\n        "and both turn in the same sense."',
+          '"Friction wheels %(one)s and %(two)s are pressed together; wheel %(one)s drives, and wheel %(two)s'
+          ' turns "\n        "in the opposite sense."', CHAIN,
           STAGES),
     Fault("stages: an even number of links told as of the row", ORDINARY + "parallel.py",
           'found["links"] = "even"', 'found["links"] = "row"', CHAIN, STAGES),

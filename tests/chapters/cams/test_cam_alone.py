@@ -195,7 +195,7 @@ BAD = [
     (f"roller: 5 mm, {SIZES}, offset: free, {LAW % 'sine'}", "cam.offset", "smallest cam"),
     (f"roller: 5 mm, {SIZES}, side: with, {LAW % 'sine'}", "cam.side", "passes on no side"),
     (f"roller: 5 mm, {SIZES}, offset: -5 mm, side: with, {LAW % 'sine'}", "cam.offset", "twice"),
-    (f"roller: 5 mm, base: 40 mm, swing: 20 deg, arm: 90 mm, {LAW % 'sine'}", "cam", "distance of the pivots"),
+    (f"roller: 5 mm, base: 40 mm, swing: 20 deg, arm: 90 mm, {LAW % 'sine'}", "cam", "distance between the pivots"),
     (f"roller: 5 mm, base: 40 mm, swing: 20 deg, centre_distance: 90 mm, {LAW % 'sine'}",
      "cam", "length of the swinging"),
     (f"roller: 5 mm, base: 40 mm, swing: 20 deg, arm: 90 mm, centre_distance: 90 mm, {LAW % 'sine'}",

@@ -78,7 +78,9 @@ def test_it_is_told_where_a_law_asks_for_a_profile_that_cannot_be():
         (made,) = results.cam.made
         cut, note = follower != "follower: knife", render(results, "html")["note.html"].decode()
         assert (made.proof.value > 1e-6) == cut, (follower, made.proof.value)
-        assert ("cut by its own other part" in note) == cut and ("no part of it is undercut" in note) != cut
+        assert ("cut by another part of itself" in note) == cut and (
+            "no part of it is undercut" in note
+        ) != cut
 
 
 # --- for CAD

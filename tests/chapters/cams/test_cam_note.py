@@ -117,7 +117,9 @@ def test_parts_of_the_forces_stand_apart_and_no_number_twice():
     for html in (usual, full):
         table = re.findall(r'<t[dh][^>]*data-q="cam_inertia" data-k="3"[^>]*>', html)
         assert len(table) == 1
-    assert "What the forces of the cam" in usual and "What the forces of the cam" not in full
+    assert (
+        "Components of the forces of the cam" in usual and "Components of the forces of the cam" not in full
+    )
     short = note("roller", "short", FORCES)
     assert not re.findall(r'<td[^>]*data-q="cam_inertia" data-k="3"', short)
     assert re.findall(r'<td[^>]*data-q="cam_N" data-k="3"', short)
@@ -128,8 +130,8 @@ def test_parts_of_the_forces_stand_apart_and_no_number_twice():
 
 def test_a_free_offset_is_the_best_one_and_is_said_once():
     free, stated = words(note("free", "full")), words(note("roller", "full"))
-    assert "The cam is smallest with the offset" in free and "Were the offset free" not in free
-    assert "Were the offset free" in stated and "The cam is smallest with the offset" not in stated
+    assert "The cam is smallest with the offset" in free and "If the offset were free" not in free
+    assert "If the offset were free" in stated and "The cam is smallest with the offset" not in stated
     found = solved("free").cam.cams[0]
     zone = found.cam.sized
     around = [zone.at(found.offset + step).radius for step in (-1e-3, 0.0, 1e-3)]
@@ -190,7 +192,7 @@ def test_both_permitted_angles_are_told(name, rise):
 
 def test_what_is_nothing_but_rounding_is_said_in_words():
     text = words(note("roller", "course", FORCES))
-    assert "The differences are those of computation" in text
+    assert "The differences are rounding errors of the computation" in text
     assert "agrees with it over the whole turn to the accuracy of computation" in text
     assert not re.search(r"10−1[4-9]", text)
 

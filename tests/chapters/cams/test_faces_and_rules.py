@@ -134,7 +134,7 @@ def test_a_thick_shaft_asks_for_a_larger_cam():
 )
 def test_it_is_said_whether_the_shaft_or_rounding_makes_the_cam_larger(cam, asks, rounds):
     note = render(course.solve(loading.loads(f"language: en\ncam: {{{cam}}}")), "html")["note.html"].decode()
-    assert ("The shaft asks for more" in note) == asks and ("is rounded up to" in note) == rounds
+    assert ("The shaft requires more" in note) == asks and ("is rounded up to" in note) == rounds
 
 
 def test_jerk_is_the_greatest_third_derivative():

@@ -75,7 +75,7 @@ def test_friction_of_the_pairs_loads_the_drive():
     assert moments.greatest == pytest.approx(whole[np.abs(whole).argmax()], rel=1e-3)
     assert left.moments.mean == pytest.approx(plain.moments.mean)
     assert left.moments.greatest == pytest.approx(plain.moments.greatest)
-    for one, words in ((found, "is in both, "), (without, "is in neither")):
+    for one, words in ((found, "is included in both, "), (without, "is included in neither")):
         assert words in render(one, "html")["note.html"].decode()
 
 

@@ -110,5 +110,5 @@ def test_of_a_mechanism_that_does_not_close_all_round_the_rest_is_solved_and_wha
     assert results.lever.partial and results.drive is not None
     assert results.flywheel is None and results.balancing is None
     said = [str(line) for line in course.summary(results)]
-    assert "left out, as the mechanism does not close all round: flywheel, balancing" in said
+    assert "left out, as the mechanism does not close over the whole cycle: flywheel, balancing" in said
     assert not [line for line in course.summary(solved("compressor")) if "left out" in str(line)]

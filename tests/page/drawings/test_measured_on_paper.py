@@ -66,8 +66,8 @@ def arms(document: dict[str, Any], k: int) -> Numbers:
 
 
 KINDS: dict[str, tuple[str, Callable[[dict[str, Any], int], Numbers]]] = {
-    "plan of velocities": ("μ_v", lambda document, k: segments(document, "v", k)),
-    "plan of accelerations": ("μ_a", lambda document, k: segments(document, "a", k)),
+    "velocity polygon": ("μ_v", lambda document, k: segments(document, "v", k)),
+    "acceleration polygon": ("μ_a", lambda document, k: segments(document, "a", k)),
     "force polygon": ("μ_F", sides),
     "loading scheme": ("μ_l", arms),
 }

@@ -15,8 +15,8 @@ from reading import LEVERS, html, results, wrong
 
 SPINS = re.compile(r"(вращается|turns) .*ω_")
 LAW = re.compile(
-    r"движется вокруг неподвижной точки .* по закону времени|moves about .* by a law of the time"
-    r"|drives the mechanism.*given by the time|приводит механизм.* задан"
+    r"движется вокруг неподвижной точки .* по закону времени|moves about .* by a law of time"
+    r"|drives the mechanism.*given as a function of time|приводит механизм.* задан"
 )
 CLOCKWISE = ("по часовой стрелке", " clockwise")
 COUNTER = ("против часовой стрелки", "counter-clockwise")

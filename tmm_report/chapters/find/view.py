@@ -211,7 +211,7 @@ class BothView(BookView):
 
     def conclusions(self) -> Sequence[Markup]:
         if not self.found.sound:
-            text = N_("Both demands cannot be met in the ranges: nearest is %(x)s, where %(y)s.")
+            text = N_("The two demands cannot both be met in the ranges: nearest is %(x)s, where %(y)s.")
             return [Failed(self.t(text, x=self.taken(), y=self.made()))]
         return [self.t(N_("Asked backwards, %(x)s; then %(y)s."), x=self.taken(), y=self.made())]
 

@@ -177,8 +177,8 @@ def friction_told(found: Machine | None) -> str:
         )
     if not found.friction.asked:
         return N_(
-            "The friction of the kinematic pairs is left out of the resistances, as the variant states; at the stated "
-            "speed it takes %(power)s W on the average, %(share)s %% of the power that drives the mechanism."
+            "The friction of the kinematic pairs is left out of the resistances, as the variant states; at the "
+            "stated speed it takes %(power)s W on average, %(share)s %% of the power that drives the mechanism."
         )
     if found.friction.corrected:
         return N_(

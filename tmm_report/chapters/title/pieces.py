@@ -25,19 +25,21 @@ class Piece(NamedTuple):
 
 PIECES: dict[str, Piece] = {
     "structure.driving_links": Piece(N_("groups and classes with other driving links")),
-    "kinematics.contours": Piece(N_("vector contours of the groups, worked out at a position")),
+    "kinematics.contours": Piece(N_("vector loops of the groups, worked out at a position")),
     "kinematics.singular": Piece(N_("how near the groups come to singular positions"), course="appendix"),
     "kinematics.dead_points": Piece(N_("dead points")),
     "kinematics.extremes": Piece(N_("extreme values of the motion of the links")),
     "kinematics.diagrams": Piece(N_("diagrams of the motion of the outputs after the first one")),
     "kinematics.angles": Piece(N_("motion of the links that are no outputs"), course="appendix"),
     "kinematics.analogues": Piece(N_("analogues of velocities and accelerations"), course="appendix"),
-    "plans.others": Piece(N_("plans of the positions after the first one, worked out"), course="omit"),
+    "plans.others": Piece(N_("polygons of the positions after the first one, worked out"), course="omit"),
     "plans.sheets": Piece(
-        N_("plans of velocities and accelerations as large as they are drawn; else two share the page")
+        N_("velocity and acceleration polygons as large as they are drawn; else two share the page")
     ),
-    "plans.senses": Piece(N_("senses of angular velocities and accelerations, by the plans")),
-    "plans.compared": Piece(N_("comparison of the methods at the positions whose plans are not worked out")),
+    "plans.senses": Piece(N_("senses of angular velocities and accelerations, by the polygons")),
+    "plans.compared": Piece(
+        N_("comparison of the methods at the positions whose polygons are not worked out")
+    ),
     "kinetostatics.loads": Piece(N_("loads over the cycle, drawn")),
     "kinetostatics.directions": Piece(N_("directions of the reactions"), course="appendix"),
     "kinetostatics.curves": Piece(N_("diagrams and hodographs of the reactions"), course="appendix"),
@@ -53,14 +55,14 @@ PIECES: dict[str, Piece] = {
     ),
     "kinetostatics.powers": Piece(N_("powers of the loads at a position, where no lever is drawn")),
     "force_plans.others": Piece(
-        N_("force plans of the positions after the first one, worked out"), course="omit"
+        N_("force polygons of the positions after the first one, worked out"), course="omit"
     ),
-    "force_plans.groups": Piece(N_("force plans of the groups after the first one, worked out")),
+    "force_plans.groups": Piece(N_("force polygons of the groups after the first one, worked out")),
     "force_plans.sheets": Piece(
-        N_("force plans and schemes of loading as large as they are drawn; else several share a page")
+        N_("force polygons and loading schemes as large as they are drawn; else several share a page")
     ),
     "force_plans.formulas": Piece(
-        N_("inertia forces and readings of the force plans after the first of a kind, worked out"),
+        N_("inertia forces and readings of the force polygons after the first of a kind, worked out"),
         course="omit",
     ),
     "force_plans.lever": Piece(N_("Zhukovsky's lever, drawn")),
@@ -72,7 +74,7 @@ PIECES: dict[str, Piece] = {
     "friction.corrected": Piece(N_("reactions corrected for friction"), course="appendix"),
     "cam.zone": Piece(N_("where the axis of a cam may stand, drawn")),
     "cam.free": Piece(
-        N_("the smallest cam with a free offset or distance of the pivots, where one is stated"),
+        N_("the smallest cam with a free offset or distance between the pivots, where one is stated"),
         course="appendix",
     ),
     "cam.laws": Piece(N_("laws of a cam after the first one, worked out")),
@@ -86,13 +88,13 @@ PIECES: dict[str, Piece] = {
     ),
     "cam.rules": Piece(N_("rules for the roller, worked out")),
     "cam.sheet": Piece(
-        N_("construction of a cam by reversed motion as large as a sheet holds it; else it is reduced"),
+        N_("construction of a cam by kinematic inversion as large as a sheet holds it; else it is reduced"),
         course="omit",
     ),
     "cam.divisions": Piece(N_("motion of a follower at equal parts of the phases"), course="appendix"),
     "cam_forces.springs": Piece(N_("springs that just keep a follower on its cam"), course="appendix"),
     "cam_forces.spring_line": Piece(
-        N_("force of a spring over the displacement against what the inertia asks")
+        N_("force of a spring over the displacement against what the inertia requires")
     ),
     "cam_forces.parts": Piece(
         N_("what the forces of a cam are made of, position by position"), course="appendix"
@@ -145,7 +147,7 @@ PIECES: dict[str, Piece] = {
             "exact least shift, depth, base thickness, curvature and sliding at the ends of the profiles of a pair"
         )
     ),
-    "spur.conditions": Piece(N_("conditions of a pair with what is in hand")),
+    "spur.conditions": Piece(N_("conditions of a pair with margin")),
     "spur.graph": Piece(N_("contact ratio of a pair by the drawing of its mesh")),
     "spur.sliding": Piece(N_("graph of the specific sliding along the line of action"), course="appendix"),
     "spur.details": Piece(
@@ -182,7 +184,7 @@ PIECES: dict[str, Piece] = {
         N_("solutions for the teeth of a stage beyond the best few"), course="appendix"
     ),
     "planetary.ring": Piece(N_("interference with a ring in numbers of teeth"), course="omit"),
-    "planetary.conditions": Piece(N_("conditions of a planetary stage with what is in hand")),
+    "planetary.conditions": Piece(N_("conditions of a planetary stage with their margins")),
     "planetary.front": Piece(N_("a planetary stage drawn from the front"), course="appendix"),
     "planetary.motions": Piece(
         N_("motions of a planetary stage with each of its members held, and the load of a planet gear"),

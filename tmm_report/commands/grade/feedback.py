@@ -33,7 +33,7 @@ MANY = 12  # so many positions are listed one by one
 FEW = 2  # so many columns are named by the sentence of a cause
 WRONG = (Rule.OFF, Rule.SIGN)
 KEPT_BACK = {
-    "scale": N_("all numbers are off by one factor: the scale of the plan"),
+    "scale": N_("all numbers are off by one factor: the scale of the polygon"),
     "variant": N_("these are the numbers of another variant"),
 }
 """Causes whose own sentence says what a student must not read: the factor gives the right numbers away, and whose
@@ -47,7 +47,7 @@ SECTIONS = {
     "initial_data": N_("Initial data"),
     "structure": N_("Structural analysis"),
     "kinematics": N_("Kinematic analysis by the analytical method"),
-    "plans": N_("Kinematic analysis by the graph-analytical method"),
+    "plans": N_("Kinematic analysis by the graphical method"),
     "kinetostatics": _LEVER,
     "force_plans": _LEVER,
     "friction": N_("Friction losses and efficiency"),

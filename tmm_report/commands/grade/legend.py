@@ -38,11 +38,11 @@ MARKS = {
 
 _WHY = {
     Rule.LIMIT: N_("right: the difference is within the limit of %(limit)s %%"),
-    Rule.FLOOR: N_("right: the difference is within what can be read off a plan, %(reading)s mm"),
-    Rule.ZERO: N_("right: nothing within what can be read off a plan"),
+    Rule.FLOOR: N_("right: the difference is within what can be read off a polygon, %(reading)s mm"),
+    Rule.ZERO: N_("right: nothing within what can be read off a polygon"),
     Rule.EXACT: N_("right: a whole number, and the same"),
     Rule.CARRIED: N_("not right, but follows rightly from the own wrong value that is named under it"),
-    Rule.OFF: N_("wrong: the difference is beyond the limit and beyond what can be read off a plan"),
+    Rule.OFF: N_("wrong: the difference is beyond the limit and beyond what can be read off a polygon"),
     Rule.SIGN: N_("wrong: the opposite sign"),
     Rule.NO_ANSWER: N_("no answer, or no number"),
     Rule.NOT_ASKED: N_("not asked"),

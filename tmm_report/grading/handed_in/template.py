@@ -19,9 +19,9 @@ Row = Sequence[str | float | int | None]
 
 SCALES = (
     ("mu_l", "m/mm", N_("scale of lengths of the student's own drawing")),
-    ("mu_v", "(m/s)/mm", N_("scale of the student's own plan of velocities")),
-    ("mu_a", "(m/s²)/mm", N_("scale of the student's own plan of accelerations")),
-    ("mu_F", "N/mm", N_("scale of the student's own plan of forces")),
+    ("mu_v", "(m/s)/mm", N_("scale of the student's own velocity polygon")),
+    ("mu_a", "(m/s²)/mm", N_("scale of the student's own acceleration polygon")),
+    ("mu_F", "N/mm", N_("scale of the student's own force polygon")),
 )
 WIDEST = 100  # columns of one file of CSV
 FORMATS = (".xlsx", ".csv", ".yaml")

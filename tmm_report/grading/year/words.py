@@ -16,7 +16,7 @@ _SAID = {
     "degrees for radians": N_("degrees in place of radians"),
     "power of ten": N_("a power of ten"),
     "factor": N_("twice or half"),
-    "scale": N_("scale of the plan"),
+    "scale": N_("scale of the polygon"),
     "mass for weight": N_("mass in place of weight"),
     "weight for mass": N_("weight in place of mass"),
     "coriolis": N_("Coriolis acceleration without its 2"),

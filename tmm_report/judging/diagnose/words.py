@@ -16,7 +16,7 @@ MOST = 8  # columns named in a sentence
 _SENTENCES = {
     "sign": N_("%(columns)s: the opposite sign all along"),
     "modulus": N_("%(columns)s: magnitudes given where the sign is asked too"),
-    "scale": N_("%(columns)s: all numbers are %(factor)s times the right ones: the scale of the plan"),
+    "scale": N_("%(columns)s: all numbers are %(factor)s times the right ones: the scale of the polygon"),
     "mass for weight": N_("%(columns)s: mass given for weight"),
     "weight for mass": N_(
         "%(columns)s: the numbers are g = 9.81 times the right ones: weight taken for mass"

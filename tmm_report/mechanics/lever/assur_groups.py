@@ -461,8 +461,8 @@ def _group(mechanism: Mechanism, known: list[str], links: list[str]) -> Group:
         else None
     )
     if kind is None:
-        text = N_("links %(links)s form no dyad: with three sliding pairs a translation stays free")
-        right = Message(N_("a dyad has at most two sliding pairs"))
+        text = N_("links %(links)s form no dyad: with three prismatic pairs a translation stays free")
+        right = Message(N_("a dyad has at most two prismatic pairs"))
         raise ProblemError([mistake(text, ("mechanism", "links", links[0]), right, links=", ".join(links))])
     return Group(tuple(links), inner, outer, 2, kind)
 

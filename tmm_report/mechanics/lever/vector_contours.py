@@ -83,7 +83,7 @@ def directions_of(group: Group) -> dict[str, Direction]:
 
 
 def _only_guides(pair: Pair, group: Group) -> Any:
-    text = N_("links %(links)s are joined in a contour by sliding pairs alone: a translation stays free")
+    text = N_("links %(links)s are joined in a loop by prismatic pairs alone: a translation stays free")
     right = Message(N_("make one of the pairs a pivot"))
     return mistake(text, ("mechanism", "guides", pair.name), right, links=", ".join(group.links))
 

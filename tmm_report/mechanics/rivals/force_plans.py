@@ -38,7 +38,7 @@ def plans(motion: Motion, loads: Mapping[str, Load], accuracy: float) -> Statics
         pen = Pen(accuracy, float(round_scale(_span(motion), SHEET)))
         for group in reversed(linkage.groups):
             if not isinstance(group, Dyad):
-                raise ArithmeticError(N_("a force plan is drawn of dyads"))
+                raise ArithmeticError(N_("a force polygon is drawn of dyads"))
             outer_a, outer_b, inner = _dyad(s, group, rest, pen)
             drawn = motion.sines[group.group.label] > SINGULAR
             for one in (outer_a, outer_b, inner):
@@ -55,7 +55,9 @@ def no_plans(scene: Loaded) -> Message | None:
     if linkage.mechanism.cams:
         return Message(N_("a cam is replaced by another linkage in every position: each has its own scheme"))
     if not all(isinstance(group, Dyad) for group in linkage.groups):
-        return Message(N_("a group above class II: its equations are solved, its plan shows only the result"))
+        return Message(
+            N_("a group above class II: its equations are solved, its polygon shows only the result")
+        )
     return None
 
 

@@ -141,7 +141,7 @@ FORCES: tuple[ForceMethod, ...] = (
     *(
         Method(
             f"drawing_{accuracy:g}",
-            N_("force plans"),
+            N_("force polygons"),
             partial(_run, partial(plans, accuracy=accuracy)),
             no_plans,
             f"{accuracy:g} mm",

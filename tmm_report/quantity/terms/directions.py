@@ -7,7 +7,7 @@ import numpy as np
 from tmm_report.problems import N_, Message
 
 COMPASS = {1: N_("to the right"), -1: N_("to the left"), 1j: N_("upwards"), -1j: N_("downwards")}
-X_OF, Y_OF = N_("x of point %(name)s"), N_("y of point %(name)s")
+X_OF, Y_OF = N_("x coordinate of point %(name)s"), N_("y coordinate of point %(name)s")
 CLOCKWISE, COUNTER_CLOCKWISE = N_("clockwise"), N_("counter-clockwise")
 
 

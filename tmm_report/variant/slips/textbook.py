@@ -15,7 +15,7 @@ _NEAREST = {
         "hypoid and spiroid gears are not offered: the nearest stages of the block drive are kind: bevel and kind: worm"
     ),
     "bevel, conical, mitre, bevels, bevel_gear, конический": N_(
-        "bevel wheels are a stage of the block drive, kind: bevel"
+        "bevel gears are a stage of the block drive, kind: bevel"
     ),
     "belt, belts, v_belt, timing, клиноременная": N_(
         "a belt drive is a stage of the block drive, kind: belt; its friction alone is in contacts, kind: belt drive"
@@ -31,7 +31,7 @@ _NEAREST = {
     ),
     "rack, rack_and_pinion, реечная, рейка": N_("a rack moves a link of the mechanism: mechanism.racks"),
     "differential, дифференциал, дифференциальная, epicyclic, эпициклическая": N_(
-        "it is a stage of kind: planetary; one with bevel wheels, closed, or with two outputs is the block train"
+        "it is a stage of kind: planetary; one with bevel gears, closed, or with two outputs is the block train"
     ),
     "3k, 3к, compound, closed_differential, замкнутый, car_axle, final_drive": N_(
         "gear trains of any scheme are the block train"

@@ -90,8 +90,8 @@ def test_it_is_told_where_the_powers_are_and_with_which_they_begin(at, by):
         f"motors: [[m, 3 kW, 90 rpm]], output: {{power: 2 kW}}, bearings: 0.99, shafts: {{at: {at}, by: {by}}}"
     )
     assert ("before the loss in its own bearings" in text) == (at == "before bearings")
-    assert ("begin with the rated power" in text) == (by == "rated")
-    assert ("begin with the power needed" in text) == (by == "required")
+    assert ("counted from the rated power" in text) == (by == "rated")
+    assert ("counted from the power needed" in text) == (by == "required")
 
 
 @pytest.mark.parametrize("stated", [True, False])

@@ -143,10 +143,10 @@ def test_the_lesser_wrap_is_judged_by_the_rule(stage, wrap, least):
     (text,) = shown.verdicts()
     assert told(text) == {wrap}
     word = "more than" if s.number(wrap) * 180 / math.pi >= least else "less than"
-    assert f"{word} the {least}° of the rule" in str(text)
+    assert f"{word} the least value {least}° of the usual rule" in str(text)
 
 
 def test_a_worm_is_told_to_lock_where_it_does():
     (runs,), (locks,) = view(WORM).verdicts(), view(LOCKED).verdicts()
-    assert "does not lock itself" in str(runs) and "the worm locks itself" in str(locks)
+    assert "is not self-locking" in str(runs) and "the worm is self-locking" in str(locks)
     assert told(runs) == told(locks) == {"gamma", "phi"}

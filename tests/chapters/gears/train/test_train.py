@@ -216,10 +216,10 @@ def test_power_that_comes_back_through_a_branch_circulates(stated):
     shares = [row["share"].value for row in whole(of).branches.values()]
     assert min(shares) < 0 and max(shares) > 1
     text = note(solved_)
-    assert "All branches go one way" not in text and "circulates in the closed loop" in text
+    assert "All branches carry power one way" not in text and "circulates in the closed loop" in text
     supplied = float(of.flow.loads.supplied)
     assert whole(of).s["P_circulating"].value == pytest.approx(-min(shares) * supplied)
-    assert "All branches go one way" in note(results(CLOSED))
+    assert "All branches carry power one way" in note(results(CLOSED))
 
 
 def test_one_satellite_has_no_neighbours():

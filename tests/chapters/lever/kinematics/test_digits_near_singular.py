@@ -124,6 +124,6 @@ def test_the_note_says_it_in_its_conclusions(beside, first):
     html = render(solve(loads(stated(beside))), "html", Translator("en"))["note.html"].decode()
     text = re.sub(r"<[^>]+>", "", re.sub(r"<(svg|style)\b.*?</\1>", "", html, flags=re.S))
     conclusions = text[text.rindex("Conclusions") :].split("\n", 1)[1].strip()
-    told = "Near a singular position: at the angle of turn φ = 150.00°, 330.00° (positions 5, 11)"
+    told = "Near a singular position: at the angle of rotation φ = 150.00°, 330.00° (positions 5, 11)"
     assert told in conclusions and conclusions.startswith(told) == first
     assert text[text.rindex("Introduction") :].split("\n", 1)[1].strip().startswith(told) == first

@@ -10,7 +10,10 @@ from tmm_report import course, loading
 
 CASES = Path(__file__).parents[3] / "cases" / "explain"
 KINDS = {
-    "law_rocker": ("it swings harmonically about a middle position", "оно качается по гармоническому закону"),
+    "law_rocker": (
+        "it oscillates harmonically about a middle position",
+        "оно качается по гармоническому закону",
+    ),
     "law_accelerated": ("its angle is a polynomial of the time", "его угол — многочлен от времени"),
     "law_angles": ("stated by a table", "его угол задан таблицей"),
     "law_phases": ("phases of rise, dwell and return", "фазы удаления, выстоя и возвращения"),

@@ -113,4 +113,4 @@ def test_of_no_plans_no_difference_and_no_scale_is_told():
     _differences(found.lever, talk)
     assert not found.lever.plans.drawn and not said
     note = render(found, "html", Translator("en"))["note.html"].decode()
-    assert "At positions 5, 6 no plan can be drawn" in note and "Scales of the plans" not in note
+    assert "At positions 5, 6 no polygon can be drawn" in note and "Scales of the polygons" not in note

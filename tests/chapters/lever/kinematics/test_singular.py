@@ -113,7 +113,7 @@ def test_unreachable_rod_is_told_with_its_cure(tmp_path):
     (gap,) = found.lever.kinematics.gaps
     assert str(gap.text) == (
         "rod AB = 50 mm cannot reach guide x for 30.00° < φ < 150.00° and 210.00° < φ < 330.00° "
-        "(φ is the angle of turn from position 0); joint A goes as far as 100 mm from its line: "
+        "(φ is the angle of rotation from position 0); joint A goes as far as 100 mm from its line: "
         "the rod needs at least 100 mm"
     )
     missing = set(found.lever.kinematics.missing)  # the limits themselves are positions too, to rounding

@@ -37,7 +37,7 @@ TOLD = {
     f"{{{CRANK}, crank: 170 mm}}}}": ("synthesis.crank_rocker.crank", "less than 165.382 mm"),
     f"{{{CRANK}, crank: 1 mm}}}}": ("synthesis.crank_rocker.crank", "assembled anew"),
     f"{{{CRANK}, rod: 3 m}}}}": ("synthesis.crank_rocker.rod", "less than"),
-    f"{{{CRANK}, frame: 3 m}}}}": ("synthesis.crank_rocker.frame", "this distance of the pivots"),
+    f"{{{CRANK}, frame: 3 m}}}}": ("synthesis.crank_rocker.frame", "this distance between the pivots"),
     f"{{{CRANK}, frame: 1 m, rod: 1 m}}}}": ("synthesis.crank_rocker.frame", "stated once"),
     f"{{{CRANK}, crank_at: down}}}}": ("synthesis.crank_rocker.crank_at", "lies that way"),
     "{crank_rocker: {swing: 60 deg, rocker: 0.3 m, crank: 0.1 m}}": ("synthesis.crank_rocker.crank", "half the chord"),

@@ -85,14 +85,14 @@ class CamView(BookView):
 
     def conclusions(self) -> list[Markup]:
         text = N_(
-            "Cam %(cam)s has the sizes %(sizes)s; its greatest pressure angle in the rise is %(alpha)s°, with "
-            "%(limit)s° allowed, and the least radius of curvature of its profile is %(rho)s mm."
+            "Cam %(cam)s has the dimensions %(sizes)s; its greatest pressure angle in the rise is %(alpha)s°, "
+            "with %(limit)s° allowed, and the least radius of curvature of its profile is %(rho)s mm."
         )
         alpha, limit = self.number("cam_alpha_rise", places=2), self.number("cam_alpha_limit", places=2)
         sizes = self.listed(SIZES)
         if self.straight:
             text = N_(
-                "Cam %(cam)s has the sizes %(sizes)s; the least radius of curvature of its profile is %(rho)s mm."
+                "Cam %(cam)s has the dimensions %(sizes)s; the least radius of curvature of its profile is %(rho)s mm."
             )
         found = self.t(
             text, cam=self.cam.cam, sizes=sizes, alpha=alpha, limit=limit, rho=self.number("cam_rho")
@@ -109,7 +109,7 @@ class CamView(BookView):
         if self.hard:
             text = N_(
                 "The law of follower %(follower)s has hard shocks: there its acceleration and the forces of cam "
-                "%(cam)s are without bound, and the forces found do not hold."
+                "%(cam)s are unbounded, and the forces found are not valid."
             )
             yield Failed(self.t(text, **names))
 

@@ -8,8 +8,7 @@ from tmm_report.problems import N_
 from tmm_report.quantity.ways import COUNTED, NAME, STATED, Way
 
 LAW = N_(
-    "By the law of the phase in which the cam is: S and its derivatives over the share of the "
-    "phase that is over."
+    "By the law of the phase in which the cam is: S and its derivatives over the completed fraction of the phase."
 )
 PHASE = N_("The phases follow one another; each begins where the one before ends.")
 PROFILE = N_(
@@ -34,8 +33,8 @@ GRAPH = N_(
     "areas, all ordinates to the lift, then integrated twice, piece by piece."
 )
 ASKED = N_(
-    "Where the law asks most of the size: sought over it, piece by piece; of a roller by the permitted pressure "
-    "angles, under a flat face where s + s'' is least."
+    "Where the law requires the largest size: sought over it, piece by piece; of a roller by the permitted "
+    "pressure angles, under a flat face where s + s'' is least."
 )
 BASE = N_("Stated; or the smallest that the law asks for, rounded up to the stated step.")
 REACH = N_(

@@ -19,7 +19,7 @@ from tmm_report.quantity.tabulated import tabulated
 from tmm_report.quantity.terms.cycle import POSITION
 
 FORCES = Message(N_("what the follower needs, what presses it to the cam, the moment of the drive"))
-ASKED = Message(N_("the same at the angles that are asked"))
+ASKED = Message(N_("the same at the angles asked for"))
 PHASES = Message(N_("least and greatest of the rises and returns"))
 SPRINGS = Message(N_("springs that just keep the follower on the cam"))
 LEAVES = Message(N_("angles over which the follower leaves the cam"))

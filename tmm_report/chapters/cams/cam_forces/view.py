@@ -83,8 +83,8 @@ class ForcesView(BookView):
         if rubs.guide is not None and rubs.guide.friction:
             said.append(
                 N_(
-                    "In the guide it acts at both ends, each pressed as the lean of the cam's force and its overhang "
-                    "ask."
+                    "In the guide it acts at both ends, each pressed according to the inclination and the "
+                    "overhang of the cam's force."
                 )
             )
         if rubs.pin:
@@ -109,23 +109,23 @@ class ForcesView(BookView):
         if self.found.slides:
             text = (
                 N_(
-                    "Force that the follower needs and normal force, moment of the drive and "
-                    "pressure in the contact over the turn of the cam"
+                    "Force that the follower needs and normal force, moment of the drive and pressure in the "
+                    "contact over a turn of the cam"
                 )
                 if pressed
                 else N_(
-                    "Force that the follower needs and normal force, moment of the drive over the turn of the cam"
+                    "Force that the follower needs and normal force, moment of the drive over a turn of the cam"
                 )
             )
         else:
             text = (
                 N_(
-                    "Moment that the follower needs, normal force, moment of the drive and "
-                    "pressure in the contact over the turn of the cam"
+                    "Moment that the follower needs, normal force, moment of the drive and pressure in the "
+                    "contact over a turn of the cam"
                 )
                 if pressed
                 else N_(
-                    "Moment that the follower needs, normal force and moment of the drive over the turn of the cam"
+                    "Moment that the follower needs, normal force and moment of the drive over a turn of the cam"
                 )
             )
         return self.t(text)
@@ -133,8 +133,8 @@ class ForcesView(BookView):
     def turning(self) -> Markup:
         """The moment of the drive over the turn."""
         text = N_(
-            "The moment of the drive of the cam goes from %(low)s N·m at the angle of turn %(low_at)s° to "
-            "%(high)s N·m at %(high_at)s°, its mean is %(mean)s N·m, its work in a turn %(work)s J."
+            "The moment of the drive of the cam varies from %(low)s N·m at the angle of rotation %(low_at)s° to "
+            "%(high)s N·m at %(high_at)s°; its mean is %(mean)s N·m, its work in a turn %(work)s J."
         )
         return self.t(
             text, low=self.number("cam_T_min"), low_at=self.turned("cam_T_min"), high=self.number("cam_T_max"),
@@ -157,8 +157,9 @@ class ForcesView(BookView):
     def left(self) -> Markup:
         """Where the follower has left the cam."""
         text = N_(
-            "The follower leaves the cam: at the angles of turn %(zones)s° the force that it needs is below zero, and "
-            "the cam can only push. The forces and moments found there are those of a follower held by something else."
+            "The follower leaves the cam: at the angles of rotation %(zones)s° the force that it needs is below "
+            "zero, and the cam can only push. The forces and moments found there are those of a follower held by "
+            "something else."
         )
         return self.t(text, zones=self._zones())
 
@@ -172,14 +173,14 @@ class ForcesView(BookView):
 
     def jammed(self) -> Markup:
         text = N_(
-            "The follower jams: at the angle of turn %(at)s° friction takes more than the cam can give, of whose force "
-            "it would leave %(share)s times what there is without friction."
+            "The follower jams: at the angle of rotation %(at)s° friction takes more than the cam can give, of "
+            "whose force it would leave %(share)s times what there is without friction."
         )
         return self.t(text, at=self.turned("cam_share"), share=self.number("cam_share", digits=3))
 
     def bears(self) -> Markup:
         """The greatest pressure in the contact against the permitted one."""
-        text = N_("The greatest pressure in the contact is %(sigma)s MPa, at the angle of turn %(at)s°.")
+        text = N_("The greatest pressure in the contact is %(sigma)s MPa, at the angle of rotation %(at)s°.")
         said = self.t(text, sigma=self.number("cam_sigma_max", digits=4), at=self.turned("cam_sigma_max"))
         if not self.knows("cam_sigma_perm"):
             return said

@@ -24,8 +24,8 @@ HERTZ = N_(
 EXTREME = N_("Over the turn, between all its kinks: at their ends and where the curve stands still.")
 ENDS = N_("Over the phase, between all its kinks: at their ends and where the curve stands still.")
 HELD = N_(
-    "The line of the spring over the displacement lies nowhere below what the inertia asks less load and weight, and "
-    "touches it: a linear programme of two unknowns."
+    "The line of the spring over the displacement lies nowhere below what the inertia requires less load and "
+    "weight, and touches it: a linear programme of two unknowns."
 )
 OFF = N_(
     "The least over the turn of the root of what holds the follower by its mass and its acceleration for ω = 1."

@@ -28,9 +28,9 @@ from tmm_report.quantity.tabulated import tabulated
 HEADLINE = ("drive_u", "drive_delta_u", "drive_eta")  # what is looked for first
 
 EXTERNAL = NP_("index", "ext")
-STAGES = Message(N_("stages of the drive in the order of the power"))
+STAGES = Message(N_("stages of the drive along the power flow"))
 SPEEDS = Message(N_("angular velocities of the members of the drive"))
-SEGMENTS = Message(N_("segments of the plan of angular velocities of the drive"))
+SEGMENTS = Message(N_("segments of the diagram of angular velocities of the drive"))
 LOADS = Message(N_("external torques and powers of the drive"))
 MESHES = Message(N_("flow of the power through the meshes of the drive"))
 COMPARISON = Message(N_("diagrams of velocities of the drive against calculation"))

@@ -203,7 +203,7 @@ class Found:
                 )
             )
         if self.locks:
-            found.append(Message(N_("the drive locks itself: it cannot be driven from the input shaft")))
+            found.append(Message(N_("the drive is self-locking: it cannot be driven from the input shaft")))
         found += self.power.summary() if self.power else []
         return [*found, *(line for stage in self.stages for line in run(stage).summary())]
 

@@ -11,11 +11,11 @@ from tmm_report.quantity.sheet import Q, Row, Sheet
 from tmm_report.quantity.symbols import Symbol, both, segment
 
 MEAN, GREATEST = NP_("index", "mean"), NP_("index", "max")
-ERROR = N_("difference of the ratio by the plan from the calculated one")
+ERROR = N_("difference of the ratio by the diagram from the calculated one")
 ARM = N_("distance of the point whose velocity is laid off from the axis of the input member")
 RUBBING = N_("mean moment of friction in the pairs, reduced to the driving link")
 MOMENT = N_("mean balancing moment of the driving link over the cycle")
-RUBBED = N_("mean balancing moment of the driving link over the cycle, friction in the pairs in it")
+RUBBED = N_("mean balancing moment of the driving link over the cycle, friction in the pairs included")
 ANGLE = N_("angle turned by the driving link at which the balancing moment has its greatest size")
 
 
@@ -24,15 +24,15 @@ class Values(Sheet):
     u_teeth = Q("u", "", N_("ratio of the drive, second inputs at rest"))
     u_required = Q(Symbol("u", "", "′"), "", N_("required ratio of the drive"))
     delta_u = Q("delta_u", "%", N_("deviation of the ratio"))
-    u_graph = Q(Symbol("u", "", "gr"), "", N_("ratio by the plan of angular velocities"))
+    u_graph = Q(Symbol("u", "", "gr"), "", N_("ratio by the diagram of angular velocities"))
     error = Q("delta", "%", ERROR)
     tolerance = Q(None, "%", N_("allowed deviation of the ratio"))
     eta = Q("eta", "", N_("efficiency of the drive"))
     losses = Q(None, "W", N_("power lost in all the meshes"))
     mu_l = Q("mu_l", "m/mm", N_("scale of the kinematic scheme"))
     mu_v = Q("mu_v", "(m/s)/mm", N_("scale of the diagram of linear velocities"))
-    mu_omega = Q("mu_omega", "(rad/s)/mm", N_("scale of the plan of angular velocities"))
-    h = Q("h", "mm", N_("pole distance of the plan of angular velocities"))
+    mu_omega = Q("mu_omega", "(rad/s)/mm", N_("scale of the diagram of angular velocities"))
+    h = Q("h", "mm", N_("pole distance of the diagram of angular velocities"))
     step = Q(None, "mm", N_("to which the segments are read"))
     arm = Q("r", "m", ARM)
     v = Q("v", "m/s", N_("velocity of the point that is laid off"))

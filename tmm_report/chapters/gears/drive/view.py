@@ -298,11 +298,11 @@ class DriveView(ChapterView):
                     "grow without bound, and it has no mean."
                 )
             )
-        text = N_("The friction of the kinematic pairs is in both, %(moment)s on the mean.")
+        text = N_("The friction of the kinematic pairs is included in both, %(moment)s on average.")
         if not moments.rubs:
             text = N_(
-                "The friction of the kinematic pairs is in neither, as the variant states; it is %(moment)s on the "
-                "mean."
+                "The friction of the kinematic pairs is included in neither, as the variant states; it is "
+                "%(moment)s on average."
             )
         return self.t(text, moment=self.sized("M_fr"))
 
@@ -348,7 +348,7 @@ class DriveView(ChapterView):
 
     def _failures(self) -> Iterator[Markup]:
         if self.found.locks:
-            yield Failed(self.t("The drive locks itself: it cannot be driven from the input shaft."))
+            yield Failed(self.t("The drive is self-locking: it cannot be driven from the input shaft."))
         if not self.found.within:
             text = N_(
                 "The ratio of the gear drive deviates from the required one by %(deviation)s %%, which is more than "
@@ -359,7 +359,7 @@ class DriveView(ChapterView):
 
     def _found(self) -> Iterator[Markup]:
         yield self.t(
-            "The ratio of the gear drive is %(ratio)s, its deviation from the required one is %(deviation)s %%.",
+            "The ratio of the gear drive is %(ratio)s; its deviation from the required one is %(deviation)s %%.",
             ratio=self.sized("u_teeth"),
             deviation=self.number("delta_u", digits=3),
         )
@@ -367,7 +367,7 @@ class DriveView(ChapterView):
             yield self.t("The efficiency of the gear drive is %(eta)s.", eta=self.number("eta"))
         if self.readable:
             text = N_(
-                "By the plan of angular velocities the ratio differs from the calculated one by %(error)s %%."
+                "By the diagram of angular velocities the ratio differs from the calculated one by %(error)s %%."
             )
             yield self.t(text, error=self.number("error", size=True, digits=3))
 

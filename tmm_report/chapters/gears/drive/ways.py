@@ -16,7 +16,7 @@ ETA = N_(
 )
 LOSSES = N_("Of each mesh what its power in the motion about the carrier loses; summed.")
 TORQUES = N_(
-    "From the equilibrium of every member and the power that each mesh hands on, by its driving wheel."
+    "From the equilibrium of every member and the power that each mesh transmits, by its driving wheel."
 )
 READ = N_("Read off the drawing to its accuracy, and multiplied by the scale.")
 SCALE = N_("Chosen so that the drawing fits the paper, from the usual scales.")

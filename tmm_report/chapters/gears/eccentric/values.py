@@ -70,7 +70,7 @@ class Values(Sheet, prefix="eccentric"):
     in_hand_2_4 = Q(
         None,
         "m",
-        N_("what the free distance of planet gears 2 and 4 has in hand; negative: what it lacks"),
+        N_("margin of the free distance of planet gears 2 and 4; negative where it lacks"),
         "mm",
     )
     gap_1_3 = Q(
@@ -99,7 +99,7 @@ class Values(Sheet, prefix="eccentric"):
     close_enlargement, close_reduction = Q(None, "", LARGER), Q(None, "", SMALLER)
 
     tolerance = Q(Symbol("Delta", "u"), "%", N_("allowed deviation of the ratio"))
-    u_wanted = Q("u", "", N_("wanted ratio of the teeth of ring and sun"))
+    u_wanted = Q("u", "", N_("required ratio of the teeth of ring and sun"))
     near_sets = Q(None, "", N_("sets of teeth near the ratio"))
     near_holding = Q(None, "", N_("those of them that hold two planet gears or more"))
     near_ring = Q(None, "", N_("teeth of the largest ring looked at"))
@@ -109,7 +109,7 @@ class Values(Sheet, prefix="eccentric"):
     M_3 = Q("M_3", "N·m", N_("moment on the ring, positive counter-clockwise"))
     M_H = Q("M_H", "N·m", N_("moment on the body of the axes, positive counter-clockwise"))
     F_sum = Q("F_Sigma", "N", N_("sum of the circumferential forces of all the planet gears on the sun"))
-    kappa = Q("kappa", "", N_("stiffness of a mesh by that of the axis of a planet gear"))
+    kappa = Q("kappa", "", N_("ratio of the stiffness of a mesh to that of the axis of a planet gear"))
     share_sum = Q("w_Sigma", "", N_("sum of the numbers by which the planet gears share the force"))
     R_1 = Q("R_1", "N", N_("force of all the planet gears on the axis of the sun"))
     R_3 = Q("R_3", "N", N_("force of all the planet gears on the axis of the ring"))
@@ -137,7 +137,7 @@ class Near(Sheet):
 
     place = Q(None, "", N_("place in the ranking"))
     u = Q("u", "", RATIO)
-    delta_u = Q(Symbol("Delta", "u"), "%", N_("deviation of the ratio from the wanted one"))
+    delta_u = Q(Symbol("Delta", "u"), "%", N_("deviation of the ratio from the required one"))
     held = Q(None, "", N_("number of planet gears"))
 
 
@@ -193,7 +193,7 @@ def of_satellite(wheel: str) -> dict[str, str]:
 class Pair(Row):
     """Two satellites side by side."""
 
-    l = Q("l", "m", N_("distance of the axes"), *MM, digits=6)
+    l = Q("l", "m", N_("centre distance"), *MM, digits=6)
     gap = Q(GAP, "m", N_("free distance between the tip circles"), *MM, digits=4)
 
 

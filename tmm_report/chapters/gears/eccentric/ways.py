@@ -5,7 +5,7 @@ from __future__ import annotations
 from tmm_report.problems import N_
 from tmm_report.quantity.ways import COUNTED, NAME, STATED, Way
 
-CONDITION = N_("The condition of the row: its number, its limit, and what is in hand between them.")
+CONDITION = N_("The condition of the row: its number, its limit, and margin between them.")
 FAMILY = N_("Of the family of sets that solve the equation of the teeth: by the number of the set.")
 SATELLITE = N_(
     "The centre lies on both distances, from the axis of the sun and of the ring; what is left "
@@ -27,7 +27,7 @@ LOADS = N_(
     "The circumferential force that the planet gear has of the sum that the moment needs; from it the normal force, "
     "and the force on its axis."
 )
-STIFF = N_("The stated stiffness of a mesh by that of the axis of a planet gear.")
+STIFF = N_("The stated ratio of the stiffness of a mesh to that of the axis of a planet gear.")
 AXES = N_("The forces of all the planet gears on the wheel, added as vectors.")
 TURNS = N_("After as many turns of the axes both wheels have turned whole times: by their teeth.")
 

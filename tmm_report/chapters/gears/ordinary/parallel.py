@@ -225,7 +225,7 @@ class ChainStage(Ordinary):
         positive(self.ratio, N_("a chain turns both sprockets in the same sense: its ratio has no minus"))
         with_teeth(self.teeth, self.ratio)
         if self.links is not None and self.distance is not None:
-            wrong = N_("the distance of the centres and the number of links are both stated")
+            wrong = N_("the centre distance and the number of links are both stated")
             raise WrongValue(Message(wrong), Message(N_("one of them: the other follows")))
 
     @property

@@ -15,15 +15,15 @@ TRAIN = N_("wheels of a train and their forces on the next ones")
 TITLES = {
     "belt open": N_("belt drive, open"),
     "belt crossed": N_("belt drive, crossed"),
-    "belt V": N_("drive of V-belts"),
+    "belt V": N_("V-belt drive"),
     "chain": N_("chain drive"),
     "friction external": N_("friction wheels, outer contact"),
     "friction internal": N_("friction wheels, inner contact"),
     "pair external": N_("pair of wheels, outer mesh"),
     "pair internal": N_("pair of wheels, inner mesh"),
     "friction bevel": N_("friction wheels, cones"),
-    "bevel": N_("bevel wheels"),
-    "worm": N_("worm and wheel"),
+    "bevel": N_("bevel gear pair"),
+    "worm": N_("worm gear pair"),
     "train external": N_("train with idlers"),
     "train internal": N_("train with idlers and a ring"),
 }

@@ -139,13 +139,13 @@ class OrdinaryView(ChapterView):
     def _held(self) -> Markup:
         """Of a worm: whether its wheel can drive it."""
         text = N_(
-            "The lead angle %(gamma)s° is greater than the angle of friction %(phi)s°: the worm does not lock itself, "
-            "a load on the wheel drives it."
+            "The lead angle %(gamma)s° is greater than the angle of friction %(phi)s°, so the worm is not "
+            "self-locking: a load on the wheel drives it."
         )
         if self.found.locks:
             text = N_(
-                "The lead angle %(gamma)s° does not exceed the angle of friction %(phi)s°: the worm locks itself, no "
-                "load on the wheel drives it."
+                "The lead angle %(gamma)s° does not exceed the angle of friction %(phi)s°, so the worm is "
+                "self-locking: no load on the wheel drives it."
             )
         return self.t(text, gamma=self.number("gamma"), phi=self.number("phi"))
 
@@ -153,11 +153,13 @@ class OrdinaryView(ChapterView):
         """The lesser angle of wrap against the rule."""
         key = "alpha1" if self.s.number("alpha1") <= self.s.number("alpha2") else "alpha2"
         enough = math.degrees(self.s.number(key)) >= least
-        text = N_("The pulley that is wrapped less is so by %(wrap)s°, more than the %(least)s° of the rule.")
+        text = N_(
+            "The smaller angle of wrap is %(wrap)s°, more than the least value %(least)s° of the usual rule."
+        )
         if not enough:
             text = N_(
-                "The pulley that is wrapped less is so by %(wrap)s°, less than the %(least)s° of the rule: a greater "
-                "distance of the centres or a tightener is wanted."
+                "The smaller angle of wrap is %(wrap)s°, less than the least value %(least)s° of the usual rule: "
+                "a greater centre distance or a tensioner is needed."
             )
         return self.t(text, wrap=self.number(key, "deg"), least=least)
 

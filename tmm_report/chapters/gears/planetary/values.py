@@ -12,7 +12,7 @@ from tmm_report.quantity.terms.wheel_words import DIAMETERS
 
 MM = ("mm", "mm")  # of print, in formulas
 MODULE, NORMAL = N_("module"), N_("module in the normal section")
-WANTED = N_("wanted ratio of the angular velocities of the input and the output")
+WANTED = N_("required ratio of the angular velocities of the input and the output")
 STOPPED = N_("efficiency of the stage with carrier %(carrier)s stopped")
 FORCE = N_(
     "circumferential force on one planet gear from wheel %(wheel)s for each newton metre of its moment"

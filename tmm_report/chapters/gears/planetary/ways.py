@@ -19,7 +19,7 @@ ETA = N_(
     "By the flow of the power with the carrier stopped: the efficiency of the meshes to the "
     "power of its direction."
 )
-APART = N_("Twice the distance of the axes by the sine of half the angle between neighbouring planet gears.")
+APART = N_("Twice the centre distance by the sine of half the angle between neighbouring planet gears.")
 GAP = N_("The distance of neighbouring axes less the tip diameter of the planet gear.")
 TURNS = N_("By the condition of assembly: the turns of the carrier after which the teeth fit whole.")
 RULE = N_(

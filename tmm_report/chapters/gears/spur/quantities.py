@@ -109,7 +109,7 @@ def _conditions(found: Found) -> Iterator[Column]:
     yield text_column("condition", Message(N_("name of the condition")), [c.key for c in of])
     yield text_column("wheel", NUMBER_OF_WHEEL, [c.wheel for c in of])
     yield text_column("unit", UNIT_OF_ROW, units)
-    for key, meaning in (("value", N_("value")), ("limit", N_("limit")), ("margin", N_("what is in hand"))):
+    for key, meaning in (("value", N_("value")), ("limit", N_("limit")), ("margin", N_("margin"))):
         numbers = [float(degrees(c.unit, getattr(c, key))) for c in of]
         yield Column(Quantity(key, None, "", Message(meaning)), numbers, symbols, units)
     met = Quantity("met", None, "", Message(N_("1 where the condition is met")))
@@ -227,7 +227,7 @@ def _lacks(found: Found) -> Iterator[Column]:
     yield text_column("wheel", NUMBER_OF_WHEEL, wheels)
     yield text_column("unit", UNIT_OF_ROW, units)
     for key, meaning, column in (
-        ("value", N_("value"), value), ("bound", N_("limit"), bound), ("lack", N_("what is wanting"), wanting),
+        ("value", N_("value"), value), ("bound", N_("limit"), bound), ("lack", N_("what is lacking"), wanting),
     ):  # fmt: skip
         shown = [float(degrees(unit, x)) for unit, x in zip(units, column, strict=True)]
         yield Column(Quantity(key, None, "", Message(meaning)), shown, units=units)

@@ -18,7 +18,7 @@ FAR = N_("distance of the pitch point from the end of the active part where the 
 LINE = N_("theoretical line of action, between its points of contact with the base circles")
 OMEGA, STATED = N_("magnitude of the angular velocity"), N_("profile shift coefficient that is stated")
 
-PRESSURE_POLE = N_("coefficient of specific pressure in the pitch point")
+PRESSURE_POLE = N_("coefficient of specific pressure at the pitch point")
 PRESSURE_LOWER = N_(
     "coefficient of specific pressure at the lower point of the active profile of wheel %(wheel)s"
 )
@@ -42,7 +42,7 @@ class Values(Sheet):
     eps = Q("epsilon_alpha", "", N_("contact ratio"))
     active_tips = Q(segment("A0B0"), "m", N_("line of action between the tip circles"), *MM)
     eps_tips = Q("epsilon_0", "", N_("contact ratio by the tip circles alone"))
-    two_pairs = Q("delta_2", "", N_("share of the time in which two pairs are in mesh"), "%", "%")
+    two_pairs = Q("delta_2", "", N_("fraction of the time in which two pairs are in mesh"), "%", "%")
 
     u_required = Q("u", "", N_("required ratio of the angular velocities"))
     m = Q("m", "m", N_("module"), *MM)
@@ -74,7 +74,7 @@ class Values(Sheet):
 
     omega_one = Q("omega", "rad/s", OMEGA)
     omega_two = Q("omega", "rad/s", OMEGA)
-    v_pitch = Q("V", "m/s", N_("pitch-line velocity, that of the point of contact in the pitch point"))
+    v_pitch = Q("V", "m/s", N_("pitch-line velocity, that of the point of contact at the pitch point"))
     sliding_limit = Q("lambda_max", "", N_("largest specific sliding allowed at this pitch-line velocity"))
     v_along = Q("V_n", "m/s", N_("velocity of both teeth along the line of action, at any of its points"))
     v_way = Q(None, "m", FAR)
@@ -126,7 +126,7 @@ class Wheel(Row):
 class Gauge(Row):
     """By what a wheel is measured; what it cannot be measured by, it has not."""
 
-    alpha_m = Q("alpha_m", "deg", N_("profile angle half way up the tooth, on the circle d + 2xm"))
+    alpha_m = Q("alpha_m", "deg", N_("profile angle halfway up the tooth, on the circle d + 2xm"))
     span_rule = Q(Symbol("z", "W", "′"), "", N_("number of teeth in the span by the rule"))
     span_teeth = Q("z_W", "", N_("number of teeth in the span, taken"))
     W = Q("W", "m", N_("span over these teeth"), *MM)
@@ -168,7 +168,7 @@ class Tool(Row):
         Symbol("inv α", "w0"), "", N_("involute function of the working pressure angle in cutting")
     )
     alpha_w0 = Q("alpha_w0", "deg", N_("working pressure angle in cutting"))
-    a_w0 = Q("a_w0", "m", N_("distance of the axes in cutting"), *MM)
+    a_w0 = Q("a_w0", "m", N_("centre distance in cutting"), *MM)
     d_0 = Q("d_0", "m", N_("reference diameter of the pinion cutter"), *MM)
     d_a0 = Q("d_a0", "m", N_("tip diameter of the pinion cutter"), *MM)
     d_b0 = Q("d_b0", "m", N_("base diameter of the pinion cutter"), *MM)

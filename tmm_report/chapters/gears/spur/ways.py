@@ -5,9 +5,7 @@ from __future__ import annotations
 from tmm_report.problems import N_
 from tmm_report.quantity.ways import NAME, Way
 
-CONDITION = N_(
-    "The condition of the row: the number of the pair, its limit, and what is in hand between them."
-)
+CONDITION = N_("The condition of the row: the number of the pair, its limit, and margin between them.")
 SLIDING = N_(
     "At the point of the line of action: ρ from the points where it touches the base circles, λ "
     "by the ratio of both."

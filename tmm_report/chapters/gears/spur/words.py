@@ -64,7 +64,7 @@ SPAN_MOVED = N_(
 NO_CONSTANT = N_("The constant chord of wheel %(wheel)s does not end on its involutes.")
 NO_CHORD = N_("No usual circle cuts the involutes of wheel %(wheel)s, so there is no chordal thickness.")
 OFF_PITCH = N_(
-    "The reference circle does not cut the involutes of wheel %(wheel)s; the chordal thickness is taken half way up."
+    "The reference circle does not cut the involutes of wheel %(wheel)s; the chordal thickness is taken halfway up."
 )
 NO_PINS = N_("No pin lies between the teeth of wheel %(wheel)s so that it touches involutes and stands out.")
 PAIRS = (N_("no pair"), N_("one pair"), N_("two pairs"), N_("three pairs"), N_("four pairs"))
@@ -75,7 +75,7 @@ LACKS = {
     ),
     "pointing": N_(
         "pointing of wheel %(wheel)s: the thickness of the tip is %(value)s·%(m)s and must be at least "
-        "%(bound)s·%(m)s, %(lack)s·%(m)s is wanting"
+        "%(bound)s·%(m)s; it is short by %(lack)s·%(m)s"
     ),
     "contact": N_("smoothness: the contact ratio %(value)s is less than %(bound)s by %(lack)s"),
     "interference": N_(
@@ -84,13 +84,13 @@ LACKS = {
     ),
     "fouling": N_("the tips of the ring and the pinion overlap by %(degrees)s°"),
     "space": N_(
-        "closed spaces of ring %(wheel)s: at the root circle %(lack)s·%(m)s is wanting to the width of a space"
+        "closed spaces of ring %(wheel)s: at the root circle the width of a space is short by %(lack)s·%(m)s"
     ),
     "tips": N_(
-        "tips of ring %(wheel)s inside its base circle: %(lack)s·%(m)s of the diameter of the tip circle is wanting"
+        "tips of ring %(wheel)s inside its base circle: the diameter of the tip circle is short by %(lack)s·%(m)s"
     ),
     "trimming": N_(
-        "tips of ring %(wheel)s taken away by the root of the pinion cutter: %(lack)s·%(m)s is wanting along the "
+        "tips of ring %(wheel)s taken away by the root of the pinion cutter: short by %(lack)s·%(m)s along the "
         "line of action"
     ),
     "cutter fouling": N_("the tips of ring %(wheel)s and the pinion cutter overlap by %(degrees)s°"),

@@ -125,7 +125,7 @@ def _rejected(found: Found) -> Iterator[Column]:
 def _solutions(found: Found) -> Iterator[Column]:
     assert found.sought is not None
     of, task = found.sought.candidates, found.sought.task
-    yield Quantity("place", None, "", Message(N_("place of the solution"))).column(
+    yield Quantity("place", None, "", Message(N_("rank of the solution"))).column(
         list(range(1, len(of.ratio) + 1))
     )
     for name, teeth in zip(of.wheels, of.teeth, strict=True):

@@ -46,8 +46,8 @@ class Values(Sheet, prefix="train"):
     D_wheel = Q("D", "m", N_("diameter of the wheels"), "mm", formed="m")
     mu_l = Q("mu_l", "m/mm", N_("scale of the kinematic scheme"))
     mu_v = Q("mu_v", "(m/s)/mm", N_("scale of the diagram of linear velocities"))
-    mu_omega = Q("mu_omega", "(rad/s)/mm", N_("scale of the plan of angular velocities"))
-    h = Q("h", "mm", N_("pole distance of the plan of angular velocities"))
+    mu_omega = Q("mu_omega", "(rad/s)/mm", N_("scale of the diagram of angular velocities"))
+    h = Q("h", "mm", N_("pole distance of the diagram of angular velocities"))
     combinations = Q(None, "", N_("number of sets of teeth that were judged"))
     solutions = Q(None, "", N_("how many sets meet every condition"))
 

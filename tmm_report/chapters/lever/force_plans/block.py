@@ -28,7 +28,7 @@ def doubts(read: Read) -> Iterator[Problem]:
     if stated(read):
         asked = "force_plan" in (read.data.get("positions") or {})
         if asked and driven_by_stroke(read) and not offered(structure.given(read)["mechanism"].driver):
-            text = N_("no force plan is drawn: no link of a triangle follows the stroke")
+            text = N_("no force polygon is drawn: no link of a triangle follows the stroke")
             right = Message(
                 N_("leave the key out: the reactions and the force along the stroke stand in tables")
             )

@@ -18,14 +18,17 @@ from tmm_report.quantity.written import worked_table
 if TYPE_CHECKING:
     from tmm_report.chapters.lever.force_plans.lever import Lever
 
-ARMS = Message(N_("arms of the forces as read off the plan of velocities turned by 90°, and their moments"))
+ARMS = Message(N_("arms of the forces as read off the velocity polygon turned by 90°, and their moments"))
 COMPARED = Message(N_("the balancing moment by Zhukovsky's lever beside that by other ways"))
 THRUST = Message(N_("the balancing force along the stroke by Zhukovsky's lever beside that by other ways"))
 
 SIZE = Quantity("size", Symbol("F"), "N", Message(N_("size of the force")))
 ARM = Quantity("arm_mm", Symbol("h′"), "mm", Message(N_("arm of the force about the pole")))
 MOMENT = Quantity(
-    "moment", Symbol("F·h"), "N·mm", Message(N_("moment of the force about the pole, + counter-clockwise"))
+    "moment",
+    Symbol("F·h"),
+    "N·mm",
+    Message(N_("moment of the force about the pole, positive counter-clockwise")),
 )
 LEVER_SUM = Quantity(
     "SigmaM_p", Symbol("SigmaM", "p"), "N·mm", Message(N_("sum of the moments of the forces about the pole"))
@@ -34,7 +37,7 @@ LEVER_FORCE = Quantity(
     "P_bal",
     Symbol("P", "bal"),
     "N",
-    Message(N_("balancing force at the crank, across it, + counter-clockwise")),
+    Message(N_("balancing force at the crank, perpendicular to it, positive counter-clockwise")),
 )
 LEVER_MOMENT = replace(BY_LEVER, key="M_bal")
 DELTA = Quantity("delta", None, "%", Message(N_("difference of the lever from it")))
@@ -71,7 +74,7 @@ def _arms(lever: Lever) -> Table:
             text_column("force", Message(N_("force")), [row.quantity.key for row in rows]),
             text_column(
                 "point",
-                Message(N_("point of the plan in which it acts")),
+                Message(N_("point of the polygon at which it acts")),
                 [row.point.lower() for row in rows],
             ),
             SIZE.column([abs(row.vector) for row in rows]),

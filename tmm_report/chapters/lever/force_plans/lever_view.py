@@ -19,11 +19,11 @@ from tmm_report.report.paper.layout import Cell, Table, worded
 from tmm_report.report.part import Part
 
 WAYS = {
-    "force_plan": N_("by the force plan of the driving link"),
+    "force_plan": N_("by the force polygon of the driving link"),
     "power": N_("by the power balance"),
     "analytic": N_("by the analytical force analysis"),
 }
-PLANS = N_("by the force plans")
+PLANS = N_("by the force polygons")
 
 
 def part(levers: tuple[Lever, ...], first: int, book: Book, page: Page) -> Part:

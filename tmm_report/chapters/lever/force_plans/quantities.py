@@ -25,11 +25,11 @@ if TYPE_CHECKING:  # drafting takes the names of its quantities from here
 
 ARMS = Message(N_("arms of the forces as read off the scheme"))
 REDUCED = Message(N_("inertia forces and couples reduced to one force through the centre of percussion"))
-MU_F = Quantity("mu_F", Symbol("mu", "F"), "N/mm", Message(N_("scale of the force plan")))
+MU_F = Quantity("mu_F", Symbol("mu", "F"), "N/mm", Message(N_("scale of the force polygon")))
 ON_PAPER = Quantity("arm_mm", None, "mm", Message(N_("arm on the scheme")))
 ARM = Quantity("arm", Symbol("h"), "m", Message(N_("arm of the force")))
 WORST = Quantity(
-    "delta_F_max", None, "%", Message(N_("largest difference of force plans from the analytical method"))
+    "delta_F_max", None, "%", Message(N_("largest difference of force polygons from the analytical method"))
 )
 
 
@@ -60,9 +60,9 @@ def on_paper(length: Quantity) -> Quantity:
 
 def drawn_length(force: Quantity) -> Quantity:
     """Length of the vector of a reaction, or of the balancing force, in the plan."""
-    text = N_("length of the vector of reaction %(of)s in the plan")
+    text = N_("length of the vector of reaction %(of)s in the polygon")
     if force.key == ALONG_STROKE.key:
-        text = N_("length of the vector of force %(of)s in the plan")
+        text = N_("length of the vector of force %(of)s in the polygon")
     symbol = Symbol("L", force.sign.base + force.sign.sub, force.sign.sup)
     return Quantity(f"L_{force.key}", symbol, "mm", Message(text, {"of": force.symbol}))
 
@@ -130,11 +130,11 @@ def _reduced(drawn: ForceDrawn) -> Table:
             force.column([one.force for one in rows]),
             couple.column([one.couple for one in rows]),
             h.column([one.arm for one in rows]),
-            Quantity("x_K", Symbol("x", "K"), "m", Message(N_("x of the centre of percussion"))).column(
-                centres.real
-            ),
-            Quantity("y_K", Symbol("y", "K"), "m", Message(N_("y of the centre of percussion"))).column(
-                centres.imag
-            ),
+            Quantity(
+                "x_K", Symbol("x", "K"), "m", Message(N_("x coordinate of the centre of percussion"))
+            ).column(centres.real),
+            Quantity(
+                "y_K", Symbol("y", "K"), "m", Message(N_("y coordinate of the centre of percussion"))
+            ).column(centres.imag),
         ),
     )

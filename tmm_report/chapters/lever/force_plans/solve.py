@@ -58,7 +58,7 @@ def _idle(drawing: Drawing, found: Kinetostatics) -> Iterator[Problem]:
     groups = _planned(found.kinematics.linkage)
     for key in drawing.force:
         if set(key.split("-")) not in [set(group.split("-")) for group in groups]:
-            text = N_("no force plan is of %(name)s: its scale has no effect")
+            text = N_("no force polygon is of %(name)s: its scale has no effect")
             right = Message(N_("known: %(words)s"), {"words": ", ".join(groups)})
             yield doubt(text, ("drawing", "scales", "force", key), right, name=key)
 

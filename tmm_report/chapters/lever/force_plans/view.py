@@ -78,13 +78,13 @@ class ForcePlansView(BookView):
 
     def conclusions(self) -> list[Markup]:
         text = N_(
-            "The reactions and the balancing moment found by the force plans differ from the analytical ones by at "
-            "most %(worst)s %%."
+            "The reactions and the balancing moment found by the force polygons differ from the analytical ones "
+            "by at most %(worst)s %%."
         )
         if self.stroke is not None:
             text = N_(
-                "The reactions and the balancing force found by the force plans differ from the analytical ones by at "
-                "most %(worst)s %%."
+                "The reactions and the balancing force found by the force polygons differ from the analytical "
+                "ones by at most %(worst)s %%."
             )
         return [self.t(text, worst=self.number("delta_F_max", digits=3))] if self.found.drawn else []
 
@@ -184,12 +184,12 @@ class ForcePlansView(BookView):
     def plan_caption(self, drawn: ForceDrawn, plan: ForcePlan) -> Markup:
         told = {"k": drawn.position, "scale": self.picture_scale(drawn, plan)}
         if plan.stage == "driver":
-            return self.t("Force plan of the driving link, position %(k)s, %(scale)s", **told)
+            return self.t("Force polygon of the driving link, position %(k)s, %(scale)s", **told)
         if plan.stage == "group":
-            text = N_("Force plan of the group %(group)s, position %(k)s, %(scale)s")
+            text = N_("Force polygon of the group %(group)s, position %(k)s, %(scale)s")
             return self.t(text, group=self.label(plan.label), **told)
-        text = N_("Force plan of link %(links)s, position %(k)s, %(scale)s")
-        several = N_("Force plan of links %(links)s, position %(k)s, %(scale)s")
+        text = N_("Force polygon of link %(links)s, position %(k)s, %(scale)s")
+        several = N_("Force polygon of links %(links)s, position %(k)s, %(scale)s")
         return self.t(text if len(plan.links) == 1 else several, links=self.page.listed(plan.links), **told)
 
     # ------------------------------------------------------------ wheels, strokes

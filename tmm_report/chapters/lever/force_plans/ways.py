@@ -10,8 +10,8 @@ from tmm_report.quantity.formula import Expr
 from tmm_report.quantity.ways import NAME, Known, Line, Way
 
 ARM = N_("Measured on the scheme drawn to scale: from the point to the line of the force.")
-LEVER_ARM = N_("Measured on the plan of velocities turned by 90°: from the pole to the line of the force.")
-GRAPH = N_("Read off the force plan: the length of the vector by the scale of the plan.")
+LEVER_ARM = N_("Measured on the velocity polygon turned by 90°: from the pole to the line of the force.")
+GRAPH = N_("Read off the force polygon: the length of the vector by the scale of the polygon.")
 ANALYTIC = N_("The value of the analytical method at the position.")
 ONE_FORCE = N_(
     "The inertia force and couple of the link put together to one force: h = M/F; it passes "

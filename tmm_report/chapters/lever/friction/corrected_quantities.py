@@ -60,7 +60,7 @@ GROWTH = Quantity(
     "M_growth",
     None,
     "",
-    Message(N_("largest balancing moment with friction by the largest without")),
+    Message(N_("ratio of the largest balancing moment with friction to the largest without")),
 )
 MEAN_POWER = Quantity("P_fr_corrected_mean", None, "W", Message(N_("mean corrected friction power")))
 MEAN_EFFICIENCY = Quantity(

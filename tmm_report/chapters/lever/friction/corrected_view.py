@@ -64,8 +64,8 @@ class CorrectedView(SlidingView):
         if self.correction.partial:
             return []
         text = N_(
-            "With friction in the reactions the largest balancing moment is %(growth)s times that without friction, "
-            "the mean efficiency is %(eta)s."
+            "With friction in the reactions the largest balancing moment is %(growth)s times that without "
+            "friction; the mean efficiency is %(eta)s."
         )
         growth, eta = (self.number(key) for key in ("M_growth", "eta_corrected_mean"))
         return [self.t(text, growth=growth, eta=eta)]

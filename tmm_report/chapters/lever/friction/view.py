@@ -86,7 +86,8 @@ class FrictionView(SlidingView):
             )
             return self.t(text)
         text = N_(
-            "The mean power of friction over the cycle is %(power)s W, the mean efficiency of the mechanism is %(eta)s."
+            "The mean power of friction over the cycle is %(power)s W; the mean efficiency of the "
+            "mechanism, with the power of the balancing moment taken by its magnitude, is %(eta)s."
         )
         return self.t(text, power=self.number("P_fr_mean"), eta=self.number("eta_mean"))
 

@@ -35,23 +35,23 @@ if TYPE_CHECKING:
 LAWS = {
     "Harmonic": N_("its angle is that of a uniform rotation and a harmonic about it"),
     "Polynomial": N_("its angle is a polynomial of the time"),
-    "Tabulated": N_("its angle is stated by a table and goes along the cubic spline through its points"),
+    "Tabulated": N_("its angle is stated by a table and follows the cubic spline through its points"),
     "Phased": N_("its angle goes through phases of rise, dwell and return, as a cam's follower does"),
 }
 
 STROKES = {
     "Harmonic": N_("it goes harmonically about a middle"),
     "Polynomial": N_("it is a polynomial of the time"),
-    "Tabulated": N_("it is stated by a table and goes along the cubic spline through its points"),
+    "Tabulated": N_("it is stated by a table and follows the cubic spline through its points"),
     "Phased": N_("it goes through phases of rise, dwell and return, as a cam's follower does"),
-    "Pieces": N_("it goes with constant accelerations one after another"),
+    "Pieces": N_("it moves with constant accelerations one after another"),
     "RunUp": N_(
-        "it goes at a constant speed, up to which it is run from rest, or down from it to rest, evenly"
+        "it moves at a constant speed, which it gains from rest, or loses to rest, at a constant acceleration"
     ),
 }
 UNIFORM = N_("it changes at a constant speed")
 
-SWINGS = N_("it swings harmonically about a middle position")
+SWINGS = N_("it oscillates harmonically about a middle position")
 
 EXTREMES = {1: N_("rightmost"), -1: N_("leftmost"), 1j: N_("topmost"), -1j: N_("lowest")}
 

@@ -9,13 +9,11 @@ from tmm_report.quantity.formula import PI, Expr, Var
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.ways import NAME, Known, Way
 
-CONTOURS = N_("Found from the closed vector contours of the groups, group by group in the order of assembly.")
+CONTOURS = N_("Found from the closed vector loops of the groups, group by group in the order of assembly.")
 RATES = N_(
-    "Found analytically: the contours of the groups, differentiated with respect to time once "
-    "for the velocities and "
-    "twice for the accelerations, are linear equations. On a rigid link the motion of a point "
-    "follows from that of "
-    "another:"
+    "Found analytically: the loops of the groups, differentiated with respect to time once for the velocities "
+    "and twice for the accelerations, are linear equations. On a rigid link the motion of a point follows from "
+    "that of another:"
 )
 NEAR = N_(
     "The determinant of the group's equations by the lengths of their rows: 1 far from a "
@@ -39,7 +37,7 @@ VECTOR = N_(
     "From the places of the ends of the stroke, and from their velocities and accelerations where the link that is "
     "found first turns at 1 rad/s."
 )
-POSITION_FUNCTION = N_("Derivative of the stroke by the angle of the link that is found first.")
+POSITION_FUNCTION = N_("Derivative of the stroke with respect to the angle of the link that is found first.")
 SIDES = N_("By the places of the points in their links, and of the guide, as the variant states them.")
 ZERO = N_("Stated, or the angle at which the output that is named is in its extreme position.")
 STROKES = N_(
@@ -48,9 +46,7 @@ STROKES = N_(
 )
 EXTREME = N_("Over the whole cycle, sought where the derivative is zero and at both sides of a jump.")
 CHOSEN = N_("Measured against the closed form over the cycle.")
-TERMS = N_(
-    "From the projections of the group's contours, by their derivatives at the angles of this position."
-)
+TERMS = N_("From the projections of the group's loops, by their derivatives at the angles of this position.")
 BY_SIZES = N_("Of the lengths and places that the variant states; it is the same in every position.")
 
 

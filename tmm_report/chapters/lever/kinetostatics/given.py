@@ -332,7 +332,7 @@ class Force(ByOneLaw):
     ] = None
     by_position: Annotated[list[ForceValue] | None, Field(description=_BY_POSITION)] = None
     by_angle: Annotated[
-        AngleForces | None, Field(description="[[angle of turn, force], ...] over the whole cycle")
+        AngleForces | None, Field(description="[[angle of rotation, force], ...] over the whole cycle")
     ] = None
     by_time: Annotated[
         TimeForces | None,
@@ -387,7 +387,7 @@ class Piston(Force):
     constant: Pressure | None = None
     by_position: Annotated[list[Pressure] | None, Field(description=_BY_POSITION)] = None
     by_angle: Annotated[
-        AnglePressures | None, Field(description="[[angle of turn, pressure], ...] over the whole cycle")
+        AnglePressures | None, Field(description="[[angle of rotation, pressure], ...] over the whole cycle")
     ] = None
     by_time: Annotated[
         TimePressures | None,
@@ -425,7 +425,7 @@ class Moment(ByOneLaw):
     ] = None
     by_position: Annotated[list[MomentValue] | None, Field(description=_BY_POSITION)] = None
     by_angle: Annotated[
-        AngleMoments | None, Field(description="[[angle of turn, moment], ...] over the whole cycle")
+        AngleMoments | None, Field(description="[[angle of rotation, moment], ...] over the whole cycle")
     ] = None
     by_time: Annotated[
         TimeMoments | None,

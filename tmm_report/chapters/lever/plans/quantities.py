@@ -22,24 +22,24 @@ if TYPE_CHECKING:  # drafting takes the names of its quantities from here
     from tmm_report.chapters.lever.plans.scales import Choice
     from tmm_report.chapters.lever.plans.solve import Drawn, Plans
 
-MU_V = Quantity("mu_v", Symbol("mu", "v"), "(m/s)/mm", Message(N_("scale of the velocity plan")))
-MU_A = Quantity("mu_a", Symbol("mu", "a"), "(m/s²)/mm", Message(N_("scale of the acceleration plan")))
+MU_V = Quantity("mu_v", Symbol("mu", "v"), "(m/s)/mm", Message(N_("scale of the velocity polygon")))
+MU_A = Quantity("mu_a", Symbol("mu", "a"), "(m/s²)/mm", Message(N_("scale of the acceleration polygon")))
 ACCURACY = Quantity("accuracy", None, "mm", Message(N_("accuracy to which lengths are read off drawings")))
 WORST = Quantity(
-    "delta_max", None, "%", Message(N_("largest difference of plans from the analytical method"))
+    "delta_max", None, "%", Message(N_("largest difference of the polygons from the analytical method"))
 )
 
-COMPARISON = Message(N_("graph-analytical method against the analytical one"))
-SEGMENTS = Message(N_("segments measured in the plans"))
-LARGEST = N_("%(of)s, the largest at the positions of the plans")
-VALUES = Message(N_("values read off the plans"))
-EQUATIONS = Message(N_("equations of the contours of a group in projections on the axes, and their solution"))
+COMPARISON = Message(N_("graphical method against the analytical one"))
+SEGMENTS = Message(N_("segments measured in the polygons"))
+LARGEST = N_("%(of)s, the largest at the positions of the polygons")
+VALUES = Message(N_("values read off the polygons"))
+EQUATIONS = Message(N_("equations of the loops of a group in projections on the axes, and their solution"))
 DELTA = Quantity(
     "delta", Symbol("delta"), "%", Message(N_("difference; empty where both are zero within the reading"))
 )
 
 
-SENSES = Message(N_("senses of angular velocities or accelerations found from the plan"))
+SENSES = Message(N_("senses of angular velocities or accelerations found from the polygon"))
 
 
 @tabulated
@@ -89,7 +89,7 @@ def senses(plan: Plan) -> Table:
     rows = plan.senses
     columns = (
         text_column("link", Message(N_("the link")), [one.link for one in rows]),
-        text_column("vector", Message(N_("vector of the plan by its ends")), [one.ends for one in rows]),
+        text_column("vector", Message(N_("vector of the polygon by its ends")), [one.ends for one in rows]),
         text_column("to", Message(N_("point of the link to which it is moved")), [one.to for one in rows]),
         text_column("like", Message(N_("link that turns alike")), [one.like for one in rows]),
         plain("sense", "", Message(N_("1: counter-clockwise, -1: clockwise")), [one.sense for one in rows]),
@@ -144,7 +144,7 @@ def comparison(name: str, meaning: Message, rows: Sequence[Compared], unit: Call
     columns = (
         text_column("key", Message(N_("the value compared")), [row.key for row in rows]),
         text_column("unit", Message(N_("its unit")), [unit(row.key) for row in rows]),
-        plain("graph", "", Message(N_("read off the plan")), [row.graph for row in rows]),
+        plain("graph", "", Message(N_("read off the polygon")), [row.graph for row in rows]),
         plain("analytic", "", Message(N_("analytical")), [row.analytic for row in rows]),
         DELTA.column(deltas),
     )
@@ -166,7 +166,7 @@ def equations_name(plan: Plan, number: int) -> str:
 def _equations(found: Projections, named: Mapping[str, Quantity]) -> Iterator[Column]:
     """A row a projection: the coefficients of the unknowns and the right side; the solution in the last row."""
     contours = [f"{point}, {axis}" for point, axis, _, _ in found.rows]
-    yield text_column("contour", Message(N_("point in which the contour closes, axis")), [*contours, ""])
+    yield text_column("contour", Message(N_("point at which the loop closes, axis")), [*contours, ""])
     coefficients = np.array([row for _, _, row, _ in found.rows])
     for i, key in enumerate(found.unknown):
         quantity, numbers = named[key], [*coefficients[:, i], found.solution[i]]

@@ -69,12 +69,12 @@ class PlansView(BookView):
         if not self.found.drawn:
             return []
         within = N_(
-            "The plans of velocities and accelerations differ from the analytical method by at most %(worst)s %%, "
+            "The velocity and acceleration polygons differ from the analytical method by at most %(worst)s %%, "
             "which is within the allowed 5 %%."
         )
         beyond = N_(
-            "The plans of velocities and accelerations differ from the analytical method by up to %(worst)s %%, which "
-            "is more than the allowed 5 %%."
+            "The velocity and acceleration polygons differ from the analytical method by up to %(worst)s %%, "
+            "which is more than the allowed 5 %%."
         )
         return [self.t(within if self.found.worst <= LIMIT else beyond, worst=self.worst())]
 
@@ -124,7 +124,7 @@ class PlansView(BookView):
         if line.ends:
             return self.t("the line %(ends)s", ends=self.page.sym(segment(line.ends)))
         return self.t(
-            "the perpendicular to the guide %(guide)s in point %(point)s", guide=line.guide, point=line.at
+            "the perpendicular to the guide %(guide)s at point %(point)s", guide=line.guide, point=line.at
         )
 
     def place(self, special: Special) -> Markup:
@@ -177,7 +177,7 @@ class PlansView(BookView):
             for row, contour in enumerate(table["contour"].values)
         ]
         heads = [self.page.head(column.symbol(), column.unit) for column in unknown]
-        heads = [self.t("Contour, axis"), *heads, self.t("Right side")]
+        heads = [self.t("Loop, axis"), *heads, self.t("Right side")]
         return worded(caption, heads, rows, [1.0] * len(heads))
 
     def plans_with_senses(self, drawn: Drawn) -> list[Plan]:

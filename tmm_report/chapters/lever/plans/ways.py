@@ -6,15 +6,15 @@ from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, expr
 from tmm_report.quantity.ways import NAME, STATED, Known, Way
 
-SEGMENT = N_("Measured in the plan, to the accuracy of the drawing.")
-READ = N_("Found by the plan: the measured segment times the scale of the plan.")
+SEGMENT = N_("Measured in the polygon, to the accuracy of the drawing.")
+READ = N_("Found by the polygon: the measured segment times the scale of the polygon.")
 ROUND = N_(
     "Chosen so that the largest vector fits the paper, from the usual scales, where the variant "
     "states no segment."
 )
 LINEAR = N_("By the drawing: the projections of the vectors of the contour of the row.")
 SOLVED = N_("The equations of the rows above are solved together; the last row is their solution.")
-SENSE = N_("Seen in the plan: the vector, moved to the point, turns the link so.")
+SENSE = N_("Seen in the polygon: the vector, moved to the point, turns the link so.")
 ANALYTIC = N_("The value of the analytical method at the position: of a vector its size.")
 LARGEST = N_(
     "The largest of the differences in the tables that compare the methods, of those that can be read off."
@@ -53,7 +53,7 @@ WAYS = (
     Way("mu_a", ROUND, of="chosen_* largest_a_*"),
     Way("mu_v mu_a", ROUND, of="accuracy"),
     Way("chosen_*", STATED),
-    Way("largest_*", N_("The largest of its sizes at the positions of the plans."), of="mu_v mu_a"),
+    Way("largest_*", N_("The largest of its sizes at the positions of the polygons."), of="mu_v mu_a"),
     Way("accuracy", STATED),
     Way("delta_max", LARGEST, of="accuracy"),
 )

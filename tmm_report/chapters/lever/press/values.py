@@ -53,5 +53,5 @@ class Values(Sheet, prefix="press"):
     v_mean = Q("v_mean", "m/s", N_("mean velocity of the slider over the working stroke"))
     v_max = Q("v_max", "m/s", N_("greatest velocity of the slider over the working stroke"))
     v_min = Q("v_min", "m/s", N_("least velocity of the slider over the working stroke"))
-    peak = Q("k_v", "", N_("greatest velocity by the mean one"))
+    peak = Q("k_v", "", N_("ratio of the greatest velocity to the mean one"))
     unevenness = Q("delta_v", "", N_("unevenness of the velocity over the working stroke"))

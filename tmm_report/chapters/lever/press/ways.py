@@ -26,7 +26,7 @@ WAYS = (
     ),
     Way(
         "press_h_max press_v_max press_v_min",
-        N_("Where the acceleration of the slider is nil, or at an end."),
+        N_("Where the acceleration of the slider is zero, or at an end."),
         of="press_omega",
     ),
     Way(

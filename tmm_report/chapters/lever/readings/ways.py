@@ -8,7 +8,7 @@ from tmm_report.quantity.ways import NAME, Known, Way
 
 STATED = N_("The student's own reading, as the variant states it.")
 ANALYTIC = N_("The value of the analytical method at the position: of a vector its size.")
-ALLOWED = N_("Judged by the difference that is allowed and by what can be read off the plan.")
+ALLOWED = N_("Judged by the difference that is allowed and by what can be read off the polygon.")
 
 
 def _differ(q: Known) -> Expr:

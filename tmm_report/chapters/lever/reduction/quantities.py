@@ -13,7 +13,9 @@ from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.tabulated import tabulated
 
 INERTIAS = Message(N_("reduced moment of inertia and the parts of the links in it"))
-BY_PLANS = Message(N_("ratios of velocities read off the plans, and the reduced moment of inertia by them"))
+BY_PLANS = Message(
+    N_("ratios of velocities read off the polygons, and the reduced moment of inertia by them")
+)
 MOMENTS = Message(N_("reduced moment of the forces and the parts of the loads in it"))
 
 RED = NP_("index", "red")
@@ -30,7 +32,7 @@ GRAPH = Quantity(
     "I_red_graph",
     Symbol("I", RED, NP_("index", "gr")),
     INERTIA.unit,
-    Message(N_("reduced moment of inertia by the ratios read off the plan")),
+    Message(N_("reduced moment of inertia by the ratios read off the polygon")),
 )
 DELTA = Quantity("delta_I", Symbol("delta", "I"), "%", Message(N_("its difference from the analytical one")))
 MISS = Quantity(
@@ -58,7 +60,7 @@ def centre_ratio(point: str) -> Quantity:
     """Of a mass centre, read off a velocity plan."""
     meaning = Message(
         N_(
-            "ratio of the velocity of point %(name)s to the angular velocity of the driving link, by the plan"
+            "ratio of the velocity of point %(name)s to the angular velocity of the driving link, by the polygon"
         ),
         {"name": point},
     )
@@ -67,7 +69,7 @@ def centre_ratio(point: str) -> Quantity:
 
 def link_ratio(link: str, driver: str) -> Quantity:
     meaning = Message(
-        N_("ratio of the angular velocity of link %(name)s to that of the driving link, by the plan"),
+        N_("ratio of the angular velocity of link %(name)s to that of the driving link, by the polygon"),
         {"name": link},
     )
     return Quantity(f"u_{link}_{driver}", Symbol("u", f"{link},{driver}"), "", meaning)

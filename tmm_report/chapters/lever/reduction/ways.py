@@ -11,10 +11,10 @@ PART = N_("From the equality of kinetic energies: m(v_S/ω)² + J(ω_i/ω)², by
 LOAD = N_("From the equality of powers: that of the load by the angular velocity of the driving link.")
 SLOPE = N_("By the accelerations: 2(m v·a + J ω ε)/ω³ of each link, summed; no differences are taken.")
 EXTREME = N_("Over the whole cycle, between the positions of the table too.")
-GRAPH = N_("By the plan: the masses by the squares of the ratios that are read off it.")
+GRAPH = N_("By the polygon: the masses by the squares of the ratios that are read off it.")
 READ = N_(
-    "Read off the plan of velocities: the measured segment by its scale and by the angular "
-    "velocity of the driving link."
+    "Read off the velocity polygon: the measured segment by its scale and by the angular velocity of the driving "
+    "link."
 )
 MISS = N_(
     "The balancing moment by the reduced moments of loads and inertia beside that by the "

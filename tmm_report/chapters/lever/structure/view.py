@@ -48,12 +48,12 @@ KINDS = {1: "RRR", 2: "RRP", 3: "RPR", 4: "PRP", 5: "RPP"}
 # Kind of a pair -> what of its reaction is known, and what is not.
 KNOWN = {
     "R": N_(
-        "Of the reaction in a turning pair the point is known, the axis of the pivot; its magnitude and direction are "
-        "to be found."
+        "Of the reaction in a revolute pair the point of application is known, the axis of the pivot; its "
+        "magnitude and direction are to be found."
     ),
     "P": N_(
-        "Of the reaction in a sliding pair the direction is known, across the guide; its magnitude and point are to be "
-        "found."
+        "Of the reaction in a prismatic pair the direction is known, perpendicular to the guide; its magnitude "
+        "and point of application are to be found."
     ),
     "H": N_(
         "Of the reaction in a higher pair the point of contact and the direction along the common normal n–n are "
@@ -80,7 +80,7 @@ RING_RUNS = N_("the ring of link %(other)s round a fixed wheel, in internal mesh
 ROLLS = N_("wheel %(other)s, which rolls on a fixed rail without slip, point of contact %(point)s")
 CARRIED = {
     False: N_("carrier %(carrier)s holds the axes"),
-    True: N_("the axis of the wheel goes along a guide on link %(carrier)s"),
+    True: N_("the axis of the wheel moves along a guide on link %(carrier)s"),
 }
 ORDINALS = {1: N_("1st kind"), 2: N_("2nd kind"), 3: N_("3rd kind"), 4: N_("4th kind"), 5: N_("5th kind")}
 
@@ -174,10 +174,10 @@ class StructureView(BookView):
             return self.t(text, **names)
         if cam.roller:
             text = N_(
-                "the pair of cam %(cam)s and follower %(follower)s by link %(link)s, which is pivoted to the cam at "
-                "%(centre)s, the centre of curvature of the profile at the contact, and to the follower at the "
-                "roller's centre %(point)s; the roller's own turning is a local freedom that changes nothing in the "
-                "motion, and the roller is counted as one with the follower"
+                "the pair of cam %(cam)s and follower %(follower)s by link %(link)s, which is pivoted to the cam "
+                "at %(centre)s, the centre of curvature of the profile at the contact, and to the follower at "
+                "the roller's centre %(point)s; the roller's own rotation is a local degree of freedom that does "
+                "not affect the motion, and the roller is counted as one with the follower"
             )
         else:
             text = N_(

@@ -139,7 +139,7 @@ def _of_slotted_link(asked: SlottedLink) -> Iterator[Problem]:
     if len(stated) == 1:
         yield from _once(asked, ("frame", "crank"), "slotted_link")
     elif stated or len(lengths) < 2:
-        wrong = N_("crank, distance of the pivots and swing follow from two of them")
+        wrong = N_("crank, distance between the pivots and swing follow from two of them")
         right = Message(N_("K or swing, with crank or frame; or crank and frame"))
         yield mistake(wrong, path, right)
     elif (asked.crank or 0.0) >= (asked.frame or 0.0):

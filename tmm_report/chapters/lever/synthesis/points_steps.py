@@ -37,7 +37,7 @@ def generator(s: Values, asked: Generator) -> tuple[Table, synthesis.FourBar]:
     s.take(asked, "frame", "crank_from", "crank_turn", "rocker_from", "rocker_turn")
     bar = _through(s, phi, psi)
     table = Table(
-        "synthesis_pairs", Message(N_("points of accuracy")),
+        "synthesis_pairs", Message(N_("precision points")),
         (Pairs.x.column(x), Pairs.y.column(y), Pairs.phi.column(phi), Pairs.psi.column(psi)),
     )  # fmt: skip
     _judged(s, asked, bar)
@@ -170,7 +170,7 @@ def _goes_round(asked: Dwell) -> None:
         raise refused(
             N_("the crank cannot turn round: its pin comes as near as %(near)s to the rocker's pivot and as far as "
             "%(far)s from it, coupler and rocker reach from %(short)s to %(long)s"),
-            "dwell", "crank", right=Message(N_("a shorter crank, or another distance of the pivots")),
+            "dwell", "crank", right=Message(N_("a shorter crank, or another distance between the pivots")),
             near=mm(near), far=mm(far), short=mm(short), long=mm(long),
         )  # fmt: skip
 

@@ -94,7 +94,7 @@ def _free_crank(s: Values, theta: float, asked: CrankRocker) -> float:
         sound = [a for a in found if bool(family(s, asked, np.array([a])).sound[0])]
         if not sound:
             raise refused(
-                N_("no crank-rocker of this swing and time ratio has this distance of the pivots"),
+                N_("no crank-rocker of this swing and time ratio has this distance between the pivots"),
                 "crank_rocker", "frame", right=_reach(s, asked),
             )  # fmt: skip
         return max(sound, key=lambda a: float(family(s, asked, np.array([a])).transmission[0]))

@@ -21,7 +21,7 @@ def _centre(coordinate: str) -> Message:
 
 
 class Values(Sheet, prefix="synthesis"):
-    K = Q("K", "", N_("time of the slower stroke by that of the faster one"))
+    K = Q("K", "", N_("ratio of the time of the slower stroke to that of the faster one"))
     mean_speed = Q("v_m", "m/s", N_("mean speed of the slider over the turn"))
     working_speed = Q("v_work", "m/s", N_("mean speed of the slider on the working stroke"))
     speed = Q("omega", "rad/s", N_("angular velocity of the crank"))
@@ -30,9 +30,9 @@ class Values(Sheet, prefix="synthesis"):
     theta = Q(
         "theta", "rad", N_("angle between the lines of the crank and the rod in the extreme positions"), "deg"
     )
-    ratio = Q("lambda", "", N_("length of the rod by that of the crank"))
-    offset_ratio = Q("epsilon", "", N_("offset by the length of the crank"))
-    rod_ratio = Q("nu", "", N_("length of the rod by that of the link that moves it"))
+    ratio = Q("lambda", "", N_("ratio of the length of the rod to that of the crank"))
+    offset_ratio = Q("epsilon", "", N_("ratio of the offset to the length of the crank"))
+    rod_ratio = Q("nu", "", N_("ratio of the length of the rod to that of the link that moves it"))
     difference = Q("q", "m²", N_("difference of the squares of rod and crank"))
     crank = Q("a", "m", N_("length of the crank"), "mm")
     rod = Q("b", "m", N_("length of the rod"), "mm")
@@ -96,8 +96,8 @@ class Values(Sheet, prefix="synthesis"):
     point_x = Q("xi_P", "m", N_("place of the point along the coupler"), "mm")
     point_y = Q("eta_P", "m", N_("place of the point to the left of the coupler"), "mm")
     k1 = Q("k_1", "", N_("constant of Freudenstein's equation"))
-    k2 = Q("k_2", "", N_("constant of Freudenstein's equation: frame by crank"))
-    k3 = Q("k_3", "", N_("constant of Freudenstein's equation: frame by rocker"))
+    k2 = Q("k_2", "", N_("constant of Freudenstein's equation: ratio of the frame to the crank"))
+    k3 = Q("k_3", "", N_("constant of Freudenstein's equation: ratio of the frame to the rocker"))
     pairs_taken = Q(
         "Delta_r", "rad", N_("greatest difference from the stated pairs with the rounded lengths"), "deg"
     )
@@ -118,7 +118,7 @@ class Values(Sheet, prefix="synthesis"):
     crank_way = Q(
         "Deltaphi_b",
         "rad",
-        N_("angle by which the crank turns from the first position to the last, + counter-clockwise"),
+        N_("angle by which the crank turns from the first position to the last, positive counter-clockwise"),
         "deg",
     )
     radius = Q("R", "m", N_("radius of the arc: length of the rod"), "mm")

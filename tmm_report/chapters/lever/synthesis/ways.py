@@ -19,7 +19,7 @@ FREE = N_(
     "and ever finer ones; or the root at which the stated demand is met."
 )
 FAMILY = N_("The closed formulas of the chapter, at a value of what is free.")
-PAIRS = N_("Stated; the points of accuracy by Chebyshev's spacing, the angles linear in x and in y.")
+PAIRS = N_("Stated; the precision points by Chebyshev's spacing, the angles linear in x and in y.")
 LINEAR = N_("The three linear equations that Freudenstein's equation gives at the three pairs of angles.")
 GREATEST = N_("The greatest over the range, by a grid and ever finer ones.")
 LEAST = N_("The least over the range, by a grid and ever finer ones.")

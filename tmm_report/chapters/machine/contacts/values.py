@@ -148,7 +148,7 @@ class Belt(Row):
 class BeltDrive(Row):
     d_1 = Number("d_1", "m", N_("diameter of the driving pulley"), "mm")
     d_2 = Number("d_2", "m", N_("diameter of the driven pulley"), "mm")
-    a = Number("a", "m", N_("distance of the axes"), "mm")
+    a = Number("a", "m", N_("centre distance"), "mm")
     omega_1 = Number("omega_1", "rad/s", N_("angular velocity of the driving pulley"))
     b = Number("b", "m", N_("width of the belt"), "mm")
     t = Number("t", "m", N_("thickness of the belt"), "mm")

@@ -42,7 +42,7 @@ RUNS = {
 }
 JOINED = Message(N_("the regimes of the machine as one motion"))
 REGIMES = Message(N_("the regimes of the machine one after another"))
-WORKS = Message(N_("works of the forces in each regime"))
+WORKS = Message(N_("work of the forces in each regime"))
 
 
 @tabulated

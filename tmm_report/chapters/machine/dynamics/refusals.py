@@ -130,7 +130,7 @@ def no_level(moment: float, speed: float | None) -> ProblemError:
 
 def not_closed(work: float, driven: bool) -> ProblemError:
     right = N_(
-        "a motor or a resistance that depends on the speed, or moments whose work over the cycle is nil"
+        "a motor or a resistance that depends on the speed, or moments whose work over the cycle is zero"
     )
     if not driven:
         right = N_("state the motor, or leave out the moments that do not repeat")

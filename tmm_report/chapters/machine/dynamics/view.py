@@ -28,12 +28,12 @@ from tmm_report.report.part import Part
 
 WAYS = {
     "speed": N_(
-        "The moment of inertia is constant and the moments depend on the speed alone, so the variables part and the "
-        "time and the angle are integrals over the speed, taken by Gauss's formula."
+        "The moment of inertia is constant and the moments depend on the speed alone, so the variables part and "
+        "the time and the angle are integrals over the speed, taken by Gaussian quadrature."
     ),
     "angle": N_(
-        "All moments depend on the angle alone, so the speed follows from the energy integral, and the time from the "
-        "integral of its reciprocal, taken by Gauss's formula."
+        "All moments depend on the angle alone, so the speed follows from the energy integral, and the time from "
+        "the integral of its reciprocal, taken by Gaussian quadrature."
     ),
     "time": N_(
         "The moments depend on the angle and on the speed, or on the time, so the equation is integrated numerically: "
@@ -339,8 +339,8 @@ class DynamicsView(ChapterView):
             lines.append(self.t(text, t=self.number("t_start"), turns=self.number("turns_start")))
         if self.found.steady is not None and not self.found.even:
             text = N_(
-                "In steady motion the mean angular velocity of the main shaft is %(omega)s rad/s, the coefficient of "
-                "speed fluctuation %(delta)s."
+                "In steady motion the mean angular velocity of the main shaft is %(omega)s rad/s, and the "
+                "coefficient of speed fluctuation is %(delta)s."
             )
             omega, delta = self.number("omega_m"), self.number("delta")
             lines.append(self.t(text, omega=omega, delta=delta))

@@ -72,7 +72,7 @@ JOINED = N_(
     "run-down, one after another: each by the way of its regime."
 )
 SUMMED = N_(
-    "The works of all that acts of the kind in the regime, summed; in the steady motion by its cycles."
+    "The work of all that acts of the kind in the regime, summed; in the steady motion by its cycles."
 )
 GAINED = N_("J ω²/2 at the end of the regime less that at its beginning.")
 CYCLES = N_("As stated, else so many that they take a quarter of the time of all other regimes.")

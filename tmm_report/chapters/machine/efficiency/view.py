@@ -36,8 +36,8 @@ class EfficiencyView(ChapterView):
 
     def conclusions(self) -> list[Markup]:
         text = N_(
-            "The efficiency of the machines joined is %(eta)s, their loss coefficient %(psi)s; the module to improve "
-            "first is %(first)s."
+            "The efficiency of the connected machines is %(eta)s, their loss coefficient %(psi)s; the module to "
+            "improve first is %(first)s."
         )
         eta, psi = (self.number(key, digits=4) for key in ("eta_whole", "psi_whole"))
         return [self.t(text, eta=eta, psi=psi, first=self.named(self.found.first))]

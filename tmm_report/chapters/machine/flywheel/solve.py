@@ -170,15 +170,15 @@ def _strong(s: Values, given: Given, found: Sides) -> None:
         return  # nothing is said of the motor's own moment, or it is stated, or an engine drives
     if power > given.motor.power * (1 + 1e-3):
         text = N_(
-            "the motor is too weak: the cycle takes %(needed)s kW on the average, the motor gives %(power)s kW; a "
+            "the motor is too weak: the cycle takes %(needed)s kW on average, the motor gives %(power)s kW; a "
             "flywheel only lends energy within a cycle, it gives none"
         )
         values = {"needed": f"{power / 1e3:.4g}", "power": f"{given.motor.power / 1e3:.4g}"}
         if found.machine is not None and found.machine.rubs:
             text = N_(
-                "the motor is too weak: the cycle takes %(needed)s kW on the average, %(friction)s kW of it for the "
-                "friction in the pairs, the motor gives %(power)s kW; a flywheel only lends energy within a cycle, it "
-                "gives none"
+                "the motor is too weak: the cycle takes %(needed)s kW on average, %(friction)s kW of it for the "
+                "friction in the pairs, the motor gives %(power)s kW; a flywheel only lends energy within a "
+                "cycle, it gives none"
             )
             values["friction"] = f"{found.machine.friction_power / given.motor.efficiency / 1e3:.4g}"
         right = Message(N_("state a motor of %(needed)s kW or more"), {"needed": f"{power / 1e3:.4g}"})

@@ -37,7 +37,7 @@ from tmm_report.report.paper.layout import Table, numeric, worded
 from tmm_report.report.part import Part
 
 METHODS = {
-    "exact": N_("exactly"),
+    "exact": N_("exact"),
     "mertsalov": N_("Mertsalov"),
     "wittenbauer": N_("Wittenbauer"),
     "rerikh": N_("Rerikh"),
@@ -366,13 +366,13 @@ class FlywheelView(ChapterView):
             )
             return [self.t(text, delta=self.number("delta_0"))]
         text = N_(
-            "A flywheel of %(J)s kg·m² leaves the machine the coefficient of speed fluctuation %(delta)s."
+            "A flywheel of %(J)s kg·m² keeps the coefficient of speed fluctuation of the machine at %(delta)s."
         )
         if "J_shaft" in self.s and self.s.number("i") != 1:
             text = N_(
-                "A flywheel of %(own)s kg·m² on its own shaft, with the ratio %(ratio)s to the main link, is one of "
-                "%(J)s kg·m² reduced to that link and leaves the machine the coefficient of speed fluctuation "
-                "%(delta)s."
+                "A flywheel of %(own)s kg·m² on its own shaft, with the ratio %(ratio)s to the main link, is "
+                "equivalent to one of %(J)s kg·m² on that link and keeps the coefficient of speed fluctuation of "
+                "the machine at %(delta)s."
             )
         form = {"own": "J_shaft", "ratio": "i", "J": "J_fl"}
         numbers = {name: self.number(key) for name, key in form.items() if f"%({name})s" in text}
@@ -384,9 +384,9 @@ class FlywheelView(ChapterView):
                     "Its outer diameter is %(D)s m, its width %(b)s m and the mass of its rim %(m)s kg."
                 )
             said.append(self.t(text, D=self.number("D_out"), b=self.number("b"), m=self.number("m")))
-            text = N_("The speed at its rim, %(v)s m/s, is within the %(limit)s m/s that it may have.")
+            text = N_("The speed at its rim, %(v)s m/s, is within the allowed %(limit)s m/s.")
             if found.bursts:
-                text = N_("The speed at its rim, %(v)s m/s, is above the %(limit)s m/s that it may have.")
+                text = N_("The speed at its rim, %(v)s m/s, is above the allowed %(limit)s m/s.")
             said.append(self.t(text, v=self.number("v"), limit=self.number("v_lim")))
         elif "m" in self.s:
             said.append(self.t(N_("Its mass is %(m)s kg."), m=self.number("m")))

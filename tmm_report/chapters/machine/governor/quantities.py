@@ -127,7 +127,9 @@ def of_loop(found: LoopFound) -> Iterator[Table]:
     yield _table("eigenvalues", N_("eigenvalues of the equations of small motions"), _roots(found))
     yield _table("hurwitz", N_("characteristic equation and Hurwitz's determinants, SI"), _hurwitz(found))
     if found.servo is not None and found.servo.beta:
-        meaning = N_("boundary of stability over the feedback and the time of the isodrome")
+        meaning = N_(
+            "boundary of stability over the feedback and the time constant of the isodromic feedback"
+        )
         yield _table("boundary", meaning, _boundary(found))
 
 

@@ -44,10 +44,10 @@ class Values(Sheet, prefix="governor"):
     m_0 = Q("m_0", "kg", N_("mass of the sleeve with its load"))
     c = Q("c", "N/m", N_("stiffness of the spring"), "N/mm")
     F_0 = Q("F_0", "N", N_("force of the spring at the lower stop"))
-    g = Q("g", "m/s²", N_("acceleration of free fall"))
+    g = Q("g", "m/s²", N_("acceleration due to gravity"))
     h = Q("h", "m", N_("lift of the sleeve between its stops"), "mm")
     F_fr = Q("F_fr", "N", N_("dry friction on the sleeve"))
-    k = Q("k", "N·s/m", N_("coefficient of the dashpot of the sleeve"))
+    k = Q("k", "N·s/m", N_("damping coefficient of the dashpot of the sleeve"))
     q = Q("q", "", N_("relative change of the speed for which the effort is found"), "%")
     omega_chosen = Q("omega_g", "rad/s", N_("speed wanted at the middle of the lift"), "rpm")
     omega_0 = Q("omega_g,0", "rad/s", N_("speed of the governor at the lower stop"), "rpm")
@@ -60,13 +60,13 @@ class Values(Sheet, prefix="governor"):
     stiffness_needed = Q(
         "c_min",
         "N/m",
-        N_("stiffness of the spring above which the governor is stable all over its lift"),
+        N_("stiffness of the spring above which the governor is stable over its whole lift"),
         "N/mm",
     )
     preload_allowed = Q(
         "F_0,max",
         "N",
-        N_("force of the spring at the lower stop below which the governor is stable all over its lift"),
+        N_("force of the spring at the lower stop below which the governor is stable over its whole lift"),
     )
 
     # the machine with its governor
@@ -104,14 +104,14 @@ class Values(Sheet, prefix="governor"):
     Y = Q("Y", "", N_("second parameter of Vyshnegradsky"))
     XY = Q("XY", "", N_("product of Vyshnegradsky's parameters"))
     k_min = Q("k_min", "N·s/m", N_("dashpot of the sleeve above which the loop is stable"))
-    T_s = Q("T_s", "s", N_("time of the servomotor"))
+    T_s = Q("T_s", "s", N_("time constant of the servomotor"))
     zone = Q("z_0", "m", N_("shift of the valve within which it stays closed"))
     z_m = Q("z_m", "m", N_("lift at which the valve is closed"))
-    beta = Q("beta", "", N_("feedback of the isodrome"))
-    T_i = Q("T_i", "s", N_("time of the isodrome"))
-    b_t = Q("b_t", "", N_("temporary non-uniformity by the isodrome"))
-    beta_min = Q("beta_min", "", N_("feedback of the isodrome above which the loop is stable"))
-    beta_max = Q("beta_max", "", N_("feedback of the isodrome below which the loop is stable"))
+    beta = Q("beta", "", N_("gain of the isodromic feedback"))
+    T_i = Q("T_i", "s", N_("time constant of the isodromic feedback"))
+    b_t = Q("b_t", "", N_("temporary non-uniformity by the isodromic feedback"))
+    beta_min = Q("beta_min", "", N_("gain of the isodromic feedback above which the loop is stable"))
+    beta_max = Q("beta_max", "", N_("gain of the isodromic feedback below which the loop is stable"))
     static = Q("Delta_st", "", N_("change of the steady speed, of that before the step"))
     peak = Q("Delta_max", "", N_("greatest deviation of the speed, of that before the step"), "%")
     peak_time = Q("t_max", "s", N_("time of the greatest deviation of the speed"))
@@ -121,7 +121,9 @@ class Values(Sheet, prefix="governor"):
     settled = Q(
         "t_set",
         "s",
-        N_("time after which the speed stays within 5 %% of the greatest deviation from the final one"),
+        N_(
+            "time after which the difference from the final speed stays within 5 %% of the greatest deviation"
+        ),
     )
 
 
@@ -233,8 +235,8 @@ class Hurwitz(Sheet):
 
 class Boundary(Sheet):
     nu = Q("nu", "rad/s", N_("frequency of the oscillation at the boundary"))
-    beta = Q("beta", "", N_("feedback of the isodrome at the boundary"))
-    T_i = Q("T_i", "s", N_("time of the isodrome at the boundary"))
+    beta = Q("beta", "", N_("gain of the isodromic feedback at the boundary"))
+    T_i = Q("T_i", "s", N_("time constant of the isodromic feedback at the boundary"))
 
 
 class Braking(Sheet):

@@ -9,10 +9,10 @@ FOURIER = N_(
     "By Fourier's sums over equal steps of a turn at which the motion is solved; velocities and "
     "accelerations likewise."
 )
-LEFT = N_("The greatest difference of the motion from the sum of the harmonics that are told, by the swing.")
+LEFT = N_("The greatest difference of the motion from the sum of the harmonics that are given, by the swing.")
 WAVE = N_("The harmonics of the place along the link: linear between those of its two points.")
 CHECK = N_("The harmonics of the wave beside the closed form of a slider-crank, greatest difference.")
-TAIL = N_("The largest of the harmonics beyond those that are told, by the largest of all.")
+TAIL = N_("The largest of the harmonics beyond those that are given, by the largest of all.")
 PLACE = N_("Equal parts of the way along the link from its first point to its second.")
 
 WAYS = (

@@ -27,12 +27,12 @@ from tmm_report.report.part import Part
 
 WAYS = {
     "angle": N_(
-        "All forces depend on the place alone, so the speed follows from the energy integral, and the time from the "
-        "integral of its reciprocal, taken by Gauss's formula."
+        "All forces depend on the place alone, so the speed follows from the energy integral, and the time from "
+        "the integral of its reciprocal, taken by Gaussian quadrature."
     ),
     "speed": N_(
-        "The mass is constant and the forces depend on the speed alone, so the variables part and the time and the way "
-        "are integrals over the speed, taken by Gauss's formula."
+        "The mass is constant and the forces depend on the speed alone, so the variables part and the time and "
+        "the way are integrals over the speed, taken by Gaussian quadrature."
     ),
     "time": N_(
         "The forces depend on the place and on the speed, or on the time, so the equation is integrated numerically by "
@@ -224,7 +224,7 @@ class TravelView(ChapterView):
     # ------------------------------------------------------------ conclusions
 
     def conclusions(self) -> list[Markup]:
-        text = N_("The main link passes its way in %(t)s s and has the speed %(v)s m/s at its end.")
+        text = N_("The main link covers its path in %(t)s s and has the speed %(v)s m/s at its end.")
         if self.found.stops:
             text = N_("The main link stops after %(x)s m, in %(t)s s; its greatest speed is %(most)s m/s.")
         names = {"t": "t_end", "v": "v_end", "x": "way", "most": "v_max"}

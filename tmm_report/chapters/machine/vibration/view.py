@@ -64,8 +64,8 @@ class VibrationView(ChapterView):
         )
         if self.given.turning:
             text = N_(
-                "The disc on its shaft swings with the amplitude %(amplitude)s at %(eta)s times its natural frequency; "
-                "the transmissibility is %(ratio)s."
+                "The disc on its shaft oscillates with the amplitude %(amplitude)s at %(eta)s times its natural "
+                "frequency; the transmissibility is %(ratio)s."
             )
         if self.given.base is not None:
             text = N_(
@@ -79,8 +79,8 @@ class VibrationView(ChapterView):
         }
         if self.found.shaking is not None:  # of its harmonics all together: the amplitude is that of one
             text = N_(
-                "Shaken by its mechanism, the machine on its isolators moves by up to %(moved)s and hands a force of "
-                "up to %(base)s on to the base."
+                "Shaken by its mechanism, the machine on its isolators moves by up to %(moved)s and transmits a "
+                "force of up to %(base)s to the base."
             )
             told = {"moved": self.measured("moved_most"), "base": self.measured("handed_most")}
         said = [self.t(text, **told)]
@@ -89,8 +89,8 @@ class VibrationView(ChapterView):
             said.append(self.t(text, stiffness=self.measured("stiffness_each")))
         if self.found.absorbed is not None and not self.given.turning:
             text = N_(
-                "A dynamic vibration absorber of %(mass)s on springs of %(stiffness)s would bring the machine to rest "
-                "at the frequency of the force; it would itself swing with the amplitude %(swing)s."
+                "A dynamic vibration absorber of %(mass)s on springs of %(stiffness)s would bring the machine to "
+                "rest at the frequency of the force; it would itself oscillate with the amplitude %(swing)s."
             )
             keys = {"mass": "absorber", "stiffness": "absorber_stiffness", "swing": "absorber_swing"}
             said.append(self.t(text, **{name: self.measured(key) for name, key in keys.items()}))

@@ -37,5 +37,5 @@ def believable(depth: float, size: float, path: Path) -> None:
         text = N_(
             "the wear would be %(depth)s mm deep: no pair works so long, and its pressures would be others by then"
         )
-        right = Message(N_("coefficients of wear are 1e-17 … 1e-12 1/Pa; or fewer cycles, or larger faces"))
+        right = Message(N_("wear coefficients are 1e-17 … 1e-12 1/Pa; or fewer cycles, or larger faces"))
         raise ProblemError([mistake(text, where, right, depth=f"{1e3 * depth:.3g}")])

@@ -132,7 +132,7 @@ def _pair(given: PivotModel, solved: Solved, path: tuple[str | int, ...]) -> Pai
     found = [p for p in pairs if given.journal in p.links and given.bushing in (None, p.other(given.journal))]
     if len(found) != 1:
         words = ", ".join(p.key for p in pairs)
-        text = N_("the pivot %(name)s of these links is not one turning pair")
+        text = N_("the pivot %(name)s of these links is not one revolute pair")
         right = Message(N_("pairs there: %(words)s"), {"words": words})
         raise ProblemError([mistake(text, (*path, "journal"), right, name=given.pivot)])
     return found[0]

@@ -47,7 +47,7 @@ class Surfaces(Sheet):
     """Columns of the faces; their symbols have the indices of the rows."""
 
     pressure = Q("p", "Pa", N_("mean pressure"), "MPa")
-    k = Q("k", K_UNIT, N_("coefficient of wear"))
+    k = Q("k", K_UNIT, N_("wear coefficient"))
     c = Q("c", "µm/(N·m)", N_("wear of a point per unit of its sum"))
     work = Q("W_max", "N·m", N_("greatest sum of a point"))
     rubbed = Q("W", "N·m", N_("sum over all the points"))
@@ -95,7 +95,7 @@ class Cycle(Sheet):
     h = Q("h", "m", N_("arm of the reaction about the slider's middle"), "mm")
     F_M = Q("F_M", "N", N_("force of the couple"))
     shift = Q("delta", "m", N_("displacement of the worn slider across the guide"), "µm")
-    tilt = Q("theta", "rad", N_("tilt of the worn slider, + counter-clockwise"), "deg")
+    tilt = Q("theta", "rad", N_("tilt of the worn slider, positive counter-clockwise"), "deg")
 
 
 UPRIGHT = Q("R", "N", N_("reaction of the guide, + to the left"))
@@ -126,7 +126,7 @@ class Pivot(Sheet):
 class Members(Sheet):
     """Columns of journal and bushing; their symbols have the numbers of the rows."""
 
-    k = Q("k", K_UNIT, N_("coefficient of wear"))
+    k = Q("k", K_UNIT, N_("wear coefficient"))
     path = Q("w_max", "MPa·m", N_("greatest sum of the products of pressure and path"))
     depth = Q("u_max", "m", N_("greatest wear"), "µm")
     angle = Q("alpha_max", "rad", N_("angle of that sector from the x axis of the link"), "deg")

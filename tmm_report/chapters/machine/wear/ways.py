@@ -15,7 +15,7 @@ SUM = N_(
     "summed over the positions."
 )
 WEAR = N_(
-    "The wear law u = k p s: the coefficient of wear by the sum of pressure by path, by the number of cycles."
+    "The wear law u = k p s: the wear coefficient by the sum of pressure by path, by the number of cycles."
 )
 PLACE = N_("Equal parts of the guide or of the slider, counted from its end.")
 GREATEST = N_("The greatest of all points, or the sum over them, of the table.")

@@ -207,7 +207,7 @@ def _swinging(stated: CamAloneModel, sense: int) -> Swinging:
     if stated.phases and stated.swing is None:
         raise Wrong("swing", Message(N_("the key %(key)s is missing"), {"key": "swing"}))
     if stated.centre_distance is None:
-        text = N_("the distance of the pivots of cam and follower is missing")
+        text = N_("the distance between the pivots of cam and follower is missing")
         raise Wrong("centre_distance", Message(text), Message(N_("centre_distance: 120 mm")))
     if stated.arm is None and not stated.faced:
         text = N_("the length of the swinging follower is missing, from its pivot to where it is lifted")

@@ -94,7 +94,7 @@ def best_distance(model: CamStated, alike: bool) -> float:
         )
         raise Wrong("centre_distance", Message(text), Message(N_("centre_distance: 120 mm")))
     if model.base != "smallest" or arm is None:
-        text = N_("a free distance of the pivots is that of the smallest cam under a roller or an edge")
+        text = N_("a free distance between the pivots is that of the smallest cam under a roller or an edge")
         raise Wrong(
             "centre_distance", Message(text), Message(N_("base: smallest, or centre_distance: 120 mm"))
         )
@@ -123,7 +123,9 @@ def _no_place(sized: Lever) -> Wrong:
 
 
 def _nowhere(error: NoZone) -> Wrong:
-    text = N_("no place of the cam's axis keeps the pressure angles, whatever the distance of the pivots")
+    text = N_(
+        "no place of the cam's axis keeps the pressure angles, whatever the distance between the pivots"
+    )
     right = N_("a smaller swing, greater angles, or a longer phase: %(phases)s")
     return Wrong("base", Message(text), Message(right, {"phases": _asking(error.args[0])}))
 
@@ -161,7 +163,7 @@ def _under_turned_face(
     turned = TurnedFace(law(model, True), away, abs(motion.pivot), alike, _curvature(model), limit)
     if turned.lowest is None:
         text = N_(
-            "no cam under this face keeps the curvature and the pressure angle at this distance of the pivots"
+            "no cam under this face keeps the curvature and the pressure angle at this distance between the pivots"
         )
         right = N_("a longer phase, a smaller swing, a greater distance, a smaller least_curvature")
         raise Wrong("base", Message(text), Message(right))

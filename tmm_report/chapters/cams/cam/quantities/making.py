@@ -71,7 +71,7 @@ def values(made: Making) -> Iterator[Value]:
     shown = "mm" if found.slides else ""
     for key, symbol, text, end in (
         ("cam_recovered", Symbol(f"Delta{letter(found)}"),
-         N_("greatest difference of the displacement found back from the profile by reversed motion"), made.proof),
+         N_("greatest difference of the displacement found back from the profile by kinematic inversion"), made.proof),
         ("cam_recovered_rounded", Symbol(f"Delta{letter(found)}", "r"),
          N_("the same from the coordinates as they are printed"), made.proof_as_printed),
     ):  # fmt: skip

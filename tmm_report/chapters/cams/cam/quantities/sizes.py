@@ -33,8 +33,8 @@ LEANS = {
     "return max": N_("greatest pressure angle of the return with its sign"),
 }
 ASKS = {
-    "rise": N_("distance of the axis below the lowest place that the rise asks without an offset"),
-    "return": N_("distance of the axis below the lowest place that the return asks without an offset"),
+    "rise": N_("distance of the axis below the lowest place that the rise requires without an offset"),
+    "return": N_("distance of the axis below the lowest place that the return requires without an offset"),
 }
 
 
@@ -106,7 +106,7 @@ def _sizes(found: CamFound) -> Iterator[Value]:
             )
             yield of(found, "cam_start", Symbol("s", "0"), "m", text).value(found.start)
     elif isinstance(motion, Swinging):
-        text = N_("distance of the pivots of cam %(cam)s and follower %(follower)s")
+        text = N_("distance between the pivots of cam %(cam)s and follower %(follower)s")
         yield of(found, "cam_apart", Symbol("d"), "m", text).value(abs(motion.pivot))
         if not cam.flat:
             text = N_("length of the arm of follower %(follower)s that the cam lifts")
@@ -157,18 +157,18 @@ def _least_lever(found: CamFound, lever: Lever, lowest: float) -> Iterator[Value
     text = N_("least radius of the pitch curve by the pressure angles")
     yield of(found, "cam_r0_least", Symbol("R", f"0,{MIN}"), "m", text).value(lever.radius(lowest))
     best = lever.centres.best
-    text = N_("distance of the pivots with which the cam is smallest")
+    text = N_("distance between the pivots with which the cam is smallest")
     yield of(found, "cam_apart_best", Symbol("d", BEST), "m", text).value(abs(best.p))
     text = N_(
         "least angle between the arm of follower %(follower)s and the line of the pivots at that distance"
     )
     start = of(found, "cam_start_least_best", Symbol("beta", f"0,{BEST}"), "rad", text, "deg")
     yield start.value(-float(np.angle(best.p)))
-    text = N_("least radius of the pitch curve with that distance of the pivots")
+    text = N_("least radius of the pitch curve with that distance between the pivots")
     yield of(found, "cam_r0_least_best", Symbol("R", f"0,{BEST}"), "m", text).value(
         lever.centres.radius(best)
     )
-    text = N_("least distance of the pivots with which the pressure angles are permitted")
+    text = N_("least distance between the pivots with which the pressure angles are permitted")
     yield of(found, "cam_apart_least", Symbol("d", MIN), "m", text).value(abs(lever.centres.closest.p))
 
 

@@ -38,7 +38,9 @@ from tmm_report.quantity.terms.cycle import PHI, POSITION
 Array = Any
 PHASES = Message(N_("phases of the cam's turn"))
 SAMPLES = Message(N_("positions of which the laws of the cam are written out"))
-MOTION = Message(N_("displacement of the follower, its derivatives by the angle turned, pressure angle"))
+MOTION = Message(
+    N_("displacement of the follower, its derivatives with respect to the angle turned, pressure angle")
+)
 JUMPS = Message(N_("angles at which derivatives of the follower's displacement jump"))
 PIECES = Message(N_("pieces of the graphs of acceleration by which phases go, for a lift and a phase of 1"))
 PROFILE = Message(N_("polar coordinates of the profile and of the pitch curve in the cam's axes"))
@@ -73,10 +75,10 @@ FORMS = {"line": N_("straight"), "sine": N_("quarter of a sine")}
 PITCH = NP_("index", "pc")  # of the pitch curve
 OF_PHASE, OF_PROFILE = NP_("index", "phase"), NP_("index", "prof")
 
-LEAST = Message(N_("what the permitted pressure angles ask of the size of the cam"))
-HOLDING = Message(N_("what holds the axis of the smallest cam at the best distance of the pivots"))
+LEAST = Message(N_("what the permitted pressure angles require of the size of the cam"))
+HOLDING = Message(N_("what holds the axis of the smallest cam at the best distance between the pivots"))
 AT = Quantity("theta", Symbol("theta"), "deg", Message(N_("angle of the cam from the beginning of its law")))
-MOST_ASKED = N_("%(of)s where most is asked")
+MOST_ASKED = N_("%(of)s where the requirement is greatest")
 ASKED_BEND = Quantity("S2", Symbol("s′′"), "m", Message(N_("its second derivative there")))
 
 PART = Quantity("part", None, "", Message(N_("number of the part of the phase that ends here")))
@@ -90,10 +92,10 @@ WITHIN = Quantity(
     "theta", Symbol("theta"), "rad", Message(N_("angle of the cam from the beginning of the phase"))
 )
 BETA = Quantity("delta", Symbol("phi", OF_PHASE), "rad", Message(N_("angle of the phase")))
-SHARE = Quantity("tau", Symbol("tau"), "", Message(N_("share of the phase that is over")))
+SHARE = Quantity("tau", Symbol("tau"), "", Message(N_("completed fraction of the phase")))
 RATIO = Quantity("ratio", Symbol("n"), "", Message(N_("acceleration of the law over its deceleration")))
 BEGINS = Quantity(
-    "begins", Symbol("tau", "i"), "", Message(N_("share of the phase at which the piece begins"))
+    "begins", Symbol("tau", "i"), "", Message(N_("fraction of the phase at which the piece begins"))
 )
 WIDTH = Quantity("width", Symbol("Deltatau", "i"), "", Message(N_("share of the phase that the piece takes")))
 REACHED = Quantity("f", Symbol("f", "i"), "", Message(N_("share of the lift reached where the piece begins")))
@@ -242,7 +244,7 @@ def _holding(found: CamFound, lever: Lever) -> Iterator[Column]:
 def _shocks(found: CamFound) -> tuple[Column, ...]:
     shocks, letter_ = found.shocks, letter(found)
     own = unit(found) if found.slides else ""
-    at = Message(N_("angle of turn at which a derivative of the displacement jumps"))
+    at = Message(N_("angle of rotation at which a derivative of the displacement jumps"))
     jumps = [Message(N_("jump of the first derivative")), Message(N_("jump of the second derivative"))]
     return (
         Quantity("phi", Symbol("phi"), "deg", at).column([np.degrees(shock.turned) for shock in shocks]),

@@ -70,7 +70,7 @@ def _of_crank(
         raise ProblemError([mistake(wrong, ("drive", "output"), right)])
     moment = abs(moments.greatest) if given.peak else moments.mean
     if moment <= 0:
-        wrong = N_("on the mean the driving link gives work to the drive, so no motor is needed")
+        wrong = N_("on average the driving link gives work to the drive, so no motor is needed")
         right = Message(N_("needed: greatest, or other loads of the mechanism"))
         raise ProblemError([mistake(wrong, ("drive", "output"), right)])
     if not crank.linked:

@@ -148,7 +148,7 @@ def _pairs(given: Given, shafts: int) -> tuple[int, ...]:
         return (0, *[1] * (shafts - 1))
     if len(pairs) != shafts:
         wrong = N_("pairs of bearings of %(found)s shafts are stated, and the drive has %(count)s")
-        right = Message(N_("a number for every shaft in the order of the power, that of the motor first"))
+        right = Message(N_("a number for every shaft along the power flow, that of the motor first"))
         path = ("drive", "bearings", "pairs")
         raise ProblemError([mistake(wrong, path, right, found=len(pairs), count=shafts)])
     return pairs

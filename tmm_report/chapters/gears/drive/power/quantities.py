@@ -24,7 +24,7 @@ MESH = NP_("index", "mesh")
 MOTORS = Message(N_("motors to choose from"))
 LOSSES = Message(N_("what loses power between the motor and the machine"))
 SOUGHT = Message(N_("teeth of the wheels by the divided ratio"))
-SHAFTS = Message(N_("shafts of the drive in the order of the power"))
+SHAFTS = Message(N_("shafts of the drive along the power flow"))
 LOADED = Message(N_("forces in the teeth of the drive by the torques of its shafts"))
 VERDICTS = {
     "taken": N_("this one is taken"),
@@ -69,7 +69,9 @@ def _motors(shafts: Shafts) -> Iterator[Column]:
     yield turns.column([motor.speed * RPM for motor in motors])
     ratio = Quantity("u", Symbol("u"), "", Message(N_("ratio of the whole drive with the motor")))
     yield ratio.column([one.ratio for one in judged])
-    load = Quantity("load", Symbol("k", "P"), "", Message(N_("needed power by the rated power of the motor")))
+    load = Quantity(
+        "load", Symbol("k", "P"), "", Message(N_("ratio of the needed power to the rated power of the motor"))
+    )
     yield load.column([one.load for one in judged])
     words = [verdict(shafts, row) for row in range(len(motors))]
     yield text_column("verdict", Message(N_("whether the motor will do")), words)

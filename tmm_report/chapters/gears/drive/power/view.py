@@ -207,15 +207,15 @@ class PowerView(ChapterView):
     def conclusions(self) -> Iterator[Markup]:
         s = self.s
         if "load_factor" in s:
-            text = N_("The machine needs %(needed)s of the motor; the motor %(name)s has %(own)s.")
+            text = N_("The machine needs %(needed)s from the motor; the motor %(name)s has %(own)s.")
             if self.power.overloaded:
                 text = N_(
-                    "The machine needs %(needed)s of the motor, and the motor %(name)s has only %(own)s."
+                    "The machine needs %(needed)s from the motor, and the motor %(name)s has only %(own)s."
                 )
             said = self.t(text, needed=self.sized("P_req"), name=self.chosen, own=self.sized("P_motor"))
             yield Failed(said) if self.power.overloaded else said
         elif "P_req" in s:
-            yield self.t("The machine needs %(needed)s of the motor.", needed=self.sized("P_req"))
+            yield self.t("The machine needs %(needed)s from the motor.", needed=self.sized("P_req"))
         elif "P_allowed" in s:
             text = N_("The motor allows a useful power of the machine of %(power)s.")
             yield self.t(text, power=self.sized("P_allowed"))

@@ -7,11 +7,11 @@ from tmm_report.quantity.formula import Expr
 from tmm_report.quantity.ways import COUNTED, NAME, STATED, Known, Way
 
 JUDGED = N_("The rated rotational speed of the motor by the wanted one of the machine.")
-LOAD = N_("The power needed of the motor by its rated power.")
+LOAD = N_("The power needed from the motor by its rated power.")
 PARTS = N_("Stated; of a stage as it is found by its teeth, or stated.")
 MESH = N_(
-    "The torque that the shaft hands on to the driving wheel, by the radius of its rolling circle; the radial force by "
-    "the angle of pressure."
+    "The torque that the shaft transmits to the driving wheel, by the radius of its rolling circle; the radial "
+    "force by the angle of pressure."
 )
 DIVIDED = N_("The ratio that is left, divided by the rule among the stages without a stated one.")
 

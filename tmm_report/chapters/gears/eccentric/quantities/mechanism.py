@@ -104,7 +104,7 @@ def _conditions(found: Found) -> Iterator[Column]:
     for key, text, numbers in (
         ("value", N_("value, SI"), [c.value for c in rows]),
         ("limit", N_("limit, SI"), [c.limit for c in rows]),
-        ("in_hand", N_("in hand, SI; negative where the condition fails"), [c.margin for c in rows]),
+        ("in_hand", N_("margin, SI; negative where the condition fails"), [c.margin for c in rows]),
     ):
         quantity = Quantity(key, None, "", Message(text))
         yield Column(quantity, [float(x) for x in numbers], units=units)

@@ -106,7 +106,7 @@ class EccentricTables(ChapterView):
             for row, condition in enumerate(self.found.conditions)
             if self._own(condition)
         ]
-        heads = [self.t("Condition"), self.t("Value"), self.t("Limit"), self.t("In hand"), self.t("Met")]
+        heads = [self.t("Condition"), self.t("Value"), self.t("Limit"), self.t("Margin"), self.t("Met")]
         return worded(self.t("Conditions of the mechanism"), heads, rows, (9, 2, 2, 2, 2))
 
     def _own(self, c: Condition) -> bool:

@@ -67,12 +67,12 @@ def _check(one: float, two: float, stated: float | None, of: BeltStage) -> None:
     """The distance is stated once, and the pulleys do not meet."""
     problems: list[Problem] = []
     if isinstance(of.length, float) and of.distance is not None:
-        wrong = N_("the distance of the centres and the length of the belt are both stated")
+        wrong = N_("the centre distance and the length of the belt are both stated")
         problems.append(mistake(wrong, ("length",), Message(N_("one of them, or length: standard"))))
     least = (one + two) / 2
     if stated is not None and stated <= least:
         wrong = N_("at a distance of %(distance)s mm the pulleys meet")
-        right = Message(N_("a distance of the centres above %(least)s mm"), {"least": f"{1e3 * least:.5g}"})
+        right = Message(N_("a centre distance above %(least)s mm"), {"least": f"{1e3 * least:.5g}"})
         problems.append(mistake(wrong, ("distance",), right, distance=f"{1e3 * stated:.5g}"))
     if problems:
         raise ProblemError(problems)

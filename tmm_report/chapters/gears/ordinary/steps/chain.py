@@ -43,7 +43,7 @@ def _check(s: Chain, distance: float) -> None:
     least = (s.number("d1") + s.number("d2")) / 2
     if distance <= least:
         wrong = N_("at a distance of %(distance)s mm the sprockets meet")
-        right = Message(N_("a distance of the centres above %(least)s mm"), {"least": f"{1e3 * least:.5g}"})
+        right = Message(N_("a centre distance above %(least)s mm"), {"least": f"{1e3 * least:.5g}"})
         raise ProblemError([mistake(wrong, ("distance",), right, distance=f"{1e3 * distance:.5g}")])
 
 

@@ -23,7 +23,7 @@ def condition_columns(found: Found) -> Iterator[Column]:
     for key, text, numbers in (
         ("value", N_("value"), [c.value for c in of]),
         ("limit", N_("limit"), [c.limit for c in of]),
-        ("margin", N_("what is in hand"), [c.margin for c in of]),
+        ("margin", N_("margin"), [c.margin for c in of]),
     ):
         quantity = Quantity(key, None, "", Message(text))
         yield Column(quantity, numbers, symbols, [c.unit for c in of])

@@ -30,7 +30,7 @@ MULTIPLE = Quantity(
     "",
     Message(N_("1: teeth of a central wheel are a multiple of the planet gears' number")),
 )
-PLACE = Quantity("place", None, "", Message(N_("place of the solution")))
+PLACE = Quantity("place", None, "", Message(N_("rank of the solution")))
 OVERALL = Quantity("D", Symbol("D"), "m", Message(N_("diameter that the stage fills")))
 SHIFTED = Quantity("shifted", None, "", Message(N_("1: coaxiality is by profile shift")))
 CHOSEN = Quantity("chosen", None, "", Message(N_("1: the combination that is taken")))

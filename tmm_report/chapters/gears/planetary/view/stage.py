@@ -181,9 +181,9 @@ class PlanetaryView(PlanetaryTables):
         )
         deviation = self.number("delta_u", digits=3)
         lines = [self.t(text, name=self.title, teeth=self.chosen_teeth(), deviation=deviation)]
-        lines += [self.t("Its efficiency is %(eta)s, its neighbouring planet gears are %(gap)s mm apart.",
+        lines += [self.t("Its efficiency is %(eta)s; the gap between its neighbouring planet gears is %(gap)s mm.",
                          eta=self.number("eta"),
                          gap=self.number("gap", digits=4))]  # fmt: skip
         lines += [self.schemes.said()] if self.schemes else []
-        locks = self.t("Stage %(name)s locks itself: it cannot be driven from its input.", name=self.title)
+        locks = self.t("Stage %(name)s is self-locking: it cannot be driven from its input.", name=self.title)
         return [*([Failed(locks)] if self.found.motion.locks else []), self.page.listed(lines, " ")]

@@ -127,7 +127,7 @@ class PlanetaryTables(ChapterView):
             [self._condition_name(of), *self._condition(of, row)]
             for row, of in enumerate(self.found.conditions)
         ]
-        heads = [self.t("Condition"), self.t("Value"), self.t("Limit"), self.t("In hand")]
+        heads = [self.t("Condition"), self.t("Value"), self.t("Limit"), self.t("Margin")]
         return worded(caption, heads, rows, (5, 3, 2.4, 2))
 
     def _condition_name(self, of: Condition) -> Markup:

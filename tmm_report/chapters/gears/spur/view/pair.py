@@ -220,7 +220,7 @@ class SpurView(ChapterView):
             for row, c in enumerate(self.found.conditions)
         ]
         t = self.t
-        heads = [t("Condition"), t("Value"), t("Limit"), t("In hand"), t("Verdict")]
+        heads = [t("Condition"), t("Value"), t("Limit"), t("Margin"), t("Verdict")]
         return worded(caption, heads, rows, (8, 3.6, 1.8, 1.5, 1.2))
 
     def _name(self, c: Condition) -> str:
@@ -354,7 +354,7 @@ class SpurView(ChapterView):
             return self.t("it has no bound") if c.key == "sliding" else self.t("they cannot pass each other")
         unit = [" ", self.page.unit(c.unit)] if c.unit else []
         lack = self.page.said(self._measured("margin", row, c, size=True))
-        return self.t("%(lack)s is wanting", lack=self.page.listed([lack, *unit], ""))
+        return self.t("short by %(lack)s", lack=self.page.listed([lack, *unit], ""))
 
     def conclusions(self) -> list[Markup]:
         """What failed, first; then what was found."""
@@ -365,8 +365,8 @@ class SpurView(ChapterView):
             text = N_("Not all conditions of the gear pair %(name)s are met: %(list)s.")
             if self.found.sound:
                 text = N_(
-                    "Not all conditions of the gear pair %(name)s are met exactly: %(list)s; they are met by the rule "
-                    "of the course, which is held to be enough."
+                    "Not all conditions of the gear pair %(name)s are met exactly: %(list)s; by the rule of the "
+                    "course, which is considered sufficient, they are met."
                 )
             line = self.t(text, name=self.title, list=self.page.listed(self.failures(), "; "))
             yield line if self.found.sound else Failed(line)
@@ -378,8 +378,8 @@ class SpurView(ChapterView):
             values[f"z{i + 1}"] = said(self.page.cell(self.sizes, "z", i))
             values[f"x{i + 1}"] = said(self.page.cell(self.sizes, "x", i))
         text = N_(
-            "The gear pair %(name)s has %(z1)s and %(z2)s teeth, the shifts %(x1)s and %(x2)s and the contact "
-            "ratio %(eps)s."
+            "The gear pair %(name)s has %(z1)s and %(z2)s teeth, the profile shift coefficients %(x1)s and "
+            "%(x2)s and the contact ratio %(eps)s."
         )
         yield self.t(text, **values)
         if not self.found.failed:

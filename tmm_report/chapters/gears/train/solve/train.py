@@ -140,7 +140,7 @@ class Found:
 
     def _doubts(self) -> Iterator[Problem]:
         if self.locks:
-            yield doubt(N_("the train locks itself: it cannot be driven from its input"), ("train",))
+            yield doubt(N_("the train is self-locking: it cannot be driven from its input"), ("train",))
         if not self.runs and self.single:
             yield doubt(N_("at these speeds the output stands still"), ("train",))
 
@@ -157,7 +157,7 @@ class Found:
             values = {"teeth": teeth, "speeds": turned}
         yield Message(text, values)
         if self.locks:
-            yield Message(N_("the train locks itself: it cannot be driven from its input"))
+            yield Message(N_("the train is self-locking: it cannot be driven from its input"))
         if not self.conditions.met:
             yield Message(N_("a condition on the teeth of the train is not met"))
 

@@ -236,7 +236,7 @@ class TrainView(TrainTables):
     def _failures(self) -> Iterator[Markup]:
         found, of = self.found, self.found.conditions
         if found.locks:
-            yield Failed(self.t("The gear train locks itself: it cannot be driven from its input."))
+            yield Failed(self.t("The gear train is self-locking: it cannot be driven from its input."))
         if not all(one.shiftable for one in of.coaxial):
             yield Failed(
                 self.t(

@@ -41,8 +41,8 @@ FIXED = Message(N_("coordinates of the fixed points"))
 MASSES = Message(N_("masses of the links, their mass centres and moments of inertia"))
 LINK = Message(N_("link"))
 
-X = Quantity("x", Symbol("x"), "m", Message(N_("x of the point")))
-Y = Quantity("y", Symbol("y"), "m", Message(N_("y of the point")))
+X = Quantity("x", Symbol("x"), "m", Message(N_("x coordinate of the point")))
+Y = Quantity("y", Symbol("y"), "m", Message(N_("y coordinate of the point")))
 MASS = Quantity("m", Symbol("m"), "kg", Message(N_("mass of the link")))
 INERTIA = Quantity(
     "J", Symbol("J"), "kg·m²", Message(N_("moment of inertia of the link about its mass centre"))
@@ -354,7 +354,7 @@ def cycle(mechanism: Mechanism) -> Iterator[Value]:
         angle = driver.turns * driver.sweep
         turns = Message(N_("number of turns of the driving link in a cycle"))
         yield Quantity("turns", Symbol("z"), "", turns).value(driver.turns)
-        meaning = Message(N_("angle of turn of the driving link in a cycle"))
+        meaning = Message(N_("angle of rotation of the driving link in a cycle"))
         yield Quantity("phi_cycle", Symbol("phi", CYCLE), "deg", meaning).value(math.degrees(angle))
         meaning = Message(N_("duration of a cycle"))
         yield Quantity("T_cycle", Symbol("T", CYCLE), "s", meaning).value(angle / abs(float(driver.omega)))

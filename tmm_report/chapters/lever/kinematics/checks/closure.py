@@ -97,7 +97,7 @@ def _told(group: Dyad | HigherGroup, turned: Array) -> Gap:
 
 
 OPEN = N_(
-    "at the angle of turn φ = %(angles)s the joints of group %(group)s do not close to 1e-9 of the largest length, and "
-    "the positions are left out"
+    "at the angle of rotation φ = %(angles)s the joints of group %(group)s do not close to 1e-9 of the largest "
+    "length, and the positions are left out"
 )
 OTHER = N_("other lengths of links %(links)s keep it away from what cannot be solved")

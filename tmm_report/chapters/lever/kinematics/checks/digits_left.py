@@ -60,12 +60,13 @@ class Near:
 
 
 AT_POSITIONS = N_(
-    "at the angle of turn φ = %(angles)s (positions %(positions)s) group %(group)s is near a singular position, its "
-    "closeness is %(least)s: %(digits)s digits remain of the velocities, accelerations and forces there"
+    "at the angle of rotation φ = %(angles)s (positions %(positions)s) group %(group)s is near a singular "
+    "position, its closeness is %(least)s: %(digits)s digits remain of the velocities, accelerations and forces "
+    "there"
 )
 BETWEEN = N_(
-    "at the angle of turn φ = %(angles)s group %(group)s is near a singular position, its closeness is %(least)s: "
-    "%(digits)s digits remain of the velocities, accelerations and forces there"
+    "at the angle of rotation φ = %(angles)s group %(group)s is near a singular position, its closeness is "
+    "%(least)s: %(digits)s digits remain of the velocities, accelerations and forces there"
 )
 
 

@@ -47,7 +47,7 @@ class Gap:
         if self.jam is not None:
             return Message("%(jam)s; %(cure)s", {"jam": self.jam, "cure": self.cure})
         return Message(
-            N_("%(why)s for %(where)s (φ is the angle of turn from position 0); %(cure)s"),
+            N_("%(why)s for %(where)s (φ is the angle of rotation from position 0); %(cure)s"),
             {"why": self.why, "where": angles(self.intervals), "cure": self.cure},
         )
 
@@ -89,8 +89,8 @@ def _swept(cycle: Cycle, critical: Critical) -> Critical:
 
 
 RUNAWAY = N_(
-    "at the angle of turn φ = %(angles)s the guides of group %(group)s (links %(links)s) are parallel "
-    "and its links run away"
+    "at the angle of rotation φ = %(angles)s the guides of group %(group)s (links %(links)s) are parallel and "
+    "its links run away"
 )
 
 
@@ -117,9 +117,9 @@ def _runaway(critical: Critical, poles: list[float]) -> Gap:
 
 
 LEAPS = N_(
-    "at the angle of turn φ = %(angle)s two joints of group %(group)s (links %(links)s) fall together, and its two "
-    "assemblies meet: kept in the stated one its links jump there, and gone through smoothly they would begin the next "
-    "turn in the other. Extremes are sought on both sides of the jump"
+    "at the angle of rotation φ = %(angle)s two joints of group %(group)s (links %(links)s) fall together, and "
+    "its two assemblies meet: kept in the stated one its links jump there, and gone through smoothly they would "
+    "begin the next turn in the other. Extremes are sought on both sides of the jump"
 )
 
 
@@ -253,20 +253,20 @@ def _elsewhere(cycle: Cycle, run: Run) -> bool:
     return abs(np.angle(np.exp(1j * (run.zero - cycle.zero)))) > ZERO
 
 
-LOST = N_("group %(group)s cannot be assembled for %(where)s (φ is the angle of turn from position 0)")
+LOST = N_("group %(group)s cannot be assembled for %(where)s (φ is the angle of rotation from position 0)")
 JAMS = N_(
-    "turned in the sense of rotation the mechanism jams at φ = %(limit)s: group %(group)s cannot be assembled for "
-    "%(where)s (φ is the angle of turn from position 0)"
+    "turned in the sense of rotation the mechanism jams at φ = %(limit)s: group %(group)s cannot be assembled "
+    "for %(where)s (φ is the angle of rotation from position 0)"
 )
 ANOTHER = N_(
-    "turned in the sense of rotation the mechanism jams at φ = %(limit)s, where group %(group)s comes to its limit: "
-    "the positions beyond, %(where)s, are left out (φ is the angle of turn from position 0). Turned back from position "
-    "0 it can go by %(back)s, as far as φ = %(end)s, but turning on it never comes there"
+    "turned in the sense of rotation the mechanism jams at φ = %(limit)s, where group %(group)s comes to its "
+    "limit: the positions beyond, %(where)s, are left out (φ is the angle of rotation from position 0). Turned "
+    "back from position 0 it can go by %(back)s, as far as φ = %(end)s, but turning on it never comes there"
 )
 ANOTHER_ALL_ROUND = N_(
-    "turned in the sense of rotation the mechanism jams at φ = %(limit)s, where group %(group)s comes to its limit: "
-    "the positions beyond, %(where)s, are left out (φ is the angle of turn from position 0). Turned back from position "
-    "0 it can go more than a turn, but turning on it never comes there"
+    "turned in the sense of rotation the mechanism jams at φ = %(limit)s, where group %(group)s comes to its "
+    "limit: the positions beyond, %(where)s, are left out (φ is the angle of rotation from position 0). Turned "
+    "back from position 0 it can go more than a turn, but turning on it never comes there"
 )
 ELSEWHERE = N_(
     "after a full turn group %(group)s is in another assembly than at position 0: the motion does not repeat with the "

@@ -44,7 +44,7 @@ from tmm_report.quantity.written import Equation
 
 Array = Any
 SLID = N_("displacement along guide %(guide)s")
-RESIDUAL = N_("residual of the contour equations of group %(group)s")
+RESIDUAL = N_("residual of the loop equations of group %(group)s")
 
 
 def write(bench: Bench, group: HigherGroup) -> WrittenSystem:

@@ -31,8 +31,8 @@ from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Table, plain, text_column
 from tmm_report.records import dataclass
 
-CONTOURS = Message(N_("numbers of the closed contours of the groups"))
-CONSTANT = Message(N_("constant numbers of the closed contours of the groups"))
+CONTOURS = Message(N_("numbers of the closed loops of the groups"))
+CONSTANT = Message(N_("constant numbers of the closed loops of the groups"))
 
 
 @dataclass(frozen=True, eq=False)

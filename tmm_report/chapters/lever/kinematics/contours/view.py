@@ -27,8 +27,8 @@ from tmm_report.report.paper.layout import Table, worded
 from tmm_report.report.words import group_name
 
 CONVENTIONS = (
-    (Symbol("x", "i"), N_("coordinate x of point i"), "m"),
-    (Symbol("y", "i"), N_("coordinate y of point i"), "m"),
+    (Symbol("x", "i"), N_("x coordinate of point i"), "m"),
+    (Symbol("y", "i"), N_("y coordinate of point i"), "m"),
     (
         Symbol("v", "i", "x"),
         N_("projection of the velocity of point i on the x axis, likewise on the y axis"),
@@ -95,9 +95,9 @@ class ContoursView:
     def slotted(self) -> list[Markup]:
         """What is said of links that only translate because a fixed guide leads them."""
         text = N_(
-            "Link %(link)s slides along a fixed guide and carries a guide of another link: it only translates. Its "
-            "angular velocity and acceleration are nil at every position, and all its points have one velocity and one "
-            "acceleration."
+            "Link %(link)s slides along a fixed guide and carries a guide of another link: it only translates. "
+            "Its angular velocity and acceleration are zero at every position, and all its points have the same "
+            "velocity and the same acceleration."
         )
         return [self.t(text, link=link) for link in self.written.slotted]
 
@@ -105,21 +105,21 @@ class ContoursView:
         """Why the first link of a group only translates."""
         if written.rest is not None:
             text = N_(
-                "Opposite sides are equal and the contour does not cross, so they stay parallel at every position. "
-                "Link %(by)s slides along a fixed guide and does not turn, so link %(link)s does not either: it only "
-                "translates, and all its points have the velocity and acceleration of %(at)s."
+                "Opposite sides are equal and the loop does not cross itself, so they stay parallel at every "
+                "position. Link %(by)s slides along a fixed guide and does not turn, so link %(link)s does not "
+                "either: it only translates, and all its points have the velocity and acceleration of %(at)s."
             )
         elif written.by:
             text = N_(
-                "Opposite sides are equal and the contour does not cross, so they stay parallel at every position. "
-                "Link %(by)s does not turn, so link %(link)s does not either: it only translates, and all its points "
-                "have the velocity and acceleration of %(at)s."
+                "Opposite sides are equal and the loop does not cross itself, so they stay parallel at every "
+                "position. Link %(by)s does not turn, so link %(link)s does not either: it only translates, and "
+                "all its points have the velocity and acceleration of %(at)s."
             )
         else:
             text = N_(
-                "Opposite sides are equal and the contour does not cross, so they stay parallel at every position. "
-                "The side opposite to link %(link)s is fixed, so link %(link)s does not turn: it only translates, and "
-                "all its points have the velocity and acceleration of %(at)s."
+                "Opposite sides are equal and the loop does not cross itself, so they stay parallel at every "
+                "position. The side opposite to link %(link)s is fixed, so link %(link)s does not turn: it only "
+                "translates, and all its points have the velocity and acceleration of %(at)s."
             )
         return self.t(text, link=written.links[0], by=written.by, at=written.at)
 
@@ -141,10 +141,12 @@ class ContoursView:
         return (", ", self.page.unit(unit)) if unit else ()
 
     def symbols(self) -> list[dict[str, Any]]:
-        """The symbols that are alike for all points and groups."""
+        """The symbols that are alike for all points and groups; of constant angles where there are any."""
+        turned = any(key.startswith("gamma_") for key in self.written.bench.constants)
         return [
             {"id": f"contours {symbol}", "symbol": symbol, "meaning": self.t(text), "unit": unit}
             for symbol, text, unit in CONVENTIONS
+            if turned or symbol.base != "gamma"
         ]
 
     def said(self, formulas: Sequence[Formula], part: str = "") -> Worked:

@@ -38,7 +38,7 @@ LENGTH = N_("length of segment %(of)s")
 WITHIN = N_("constant angle of segment %(of)s with the direction from which its link's angle is counted")
 OF_GUIDE = N_("constant angle of guide %(of)s with the direction from which its link's angle is counted")
 GUIDE_ANGLE = N_("angle of guide %(of)s with the x axis")
-AUXILIARY = N_("%(axis)s of point %(of)s of a guide")
+AUXILIARY = N_("%(axis)s coordinate of point %(of)s of a guide")
 
 
 @dataclass

@@ -72,7 +72,7 @@ class MotionView(BookView):
         yield from self.working(travel)
         if travel.time_ratio is not None:
             ratio = self.page.value(self.value(f"K_{name}").var(digits=4))
-            yield self.t("The ratio of the durations of its strokes is %(ratio)s.", ratio=ratio)
+            yield self.t("The time ratio of its strokes is %(ratio)s.", ratio=ratio)
 
     def _greatest(self, travel: Travel) -> Iterator[Markup]:
         """The largest magnitudes of the velocity and of the acceleration, or that there are none."""
@@ -187,8 +187,8 @@ class MotionView(BookView):
                 ends = [(self.page.cell(end, scale=size), self._at_side(end)) for end in (low, high)]
                 rows.append([self.page.head(quantity.sign, quantity.printed), *ends[0], *ends[1]])
         heads = [
-            self.t("Quantity"), self.t("Least value"), self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),
-            self.t("Greatest value"), self.t("at the angle of turn,\N{NO-BREAK SPACE}°"),
+            self.t("Quantity"), self.t("Least value"), self.t("at the angle of rotation,\N{NO-BREAK SPACE}°"),
+            self.t("Greatest value"), self.t("at the angle of rotation,\N{NO-BREAK SPACE}°"),
         ]  # fmt: skip
         return worded(caption, heads, rows, (2.2, 2, 2, 2, 2))
 
@@ -262,10 +262,10 @@ def _unbounded(travel: Travel) -> list[int]:
 
 
 GREATEST = {
-    ("slider", 1): N_("Its greatest velocity is %(x)s m/s at the angle of turn %(at)s°."),
-    ("slider", 2): N_("Its greatest acceleration is %(x)s m/s² at the angle of turn %(at)s°."),
-    ("rocker", 1): N_("Its greatest angular velocity is %(x)s rad/s at the angle of turn %(at)s°."),
-    ("rocker", 2): N_("Its greatest angular acceleration is %(x)s rad/s² at the angle of turn %(at)s°."),
+    ("slider", 1): N_("Its greatest velocity is %(x)s m/s at the angle of rotation %(at)s°."),
+    ("slider", 2): N_("Its greatest acceleration is %(x)s m/s² at the angle of rotation %(at)s°."),
+    ("rocker", 1): N_("Its greatest angular velocity is %(x)s rad/s at the angle of rotation %(at)s°."),
+    ("rocker", 2): N_("Its greatest angular acceleration is %(x)s rad/s² at the angle of rotation %(at)s°."),
 }
 UNIFORM = {
     "slider": N_("Its velocity is constant, %(x)s m/s."),
@@ -283,27 +283,27 @@ OF_LINK = {
 }
 WORKING = {
     "load": N_(
-        "Its working stroke, in which the stated load does its work, lasts from the angle of turn %(first)s° to "
-        "%(last)s° (positions %(one)s … %(other)s)."
+        "Its working stroke, in which the stated load does its work, lasts from the angle of rotation %(first)s° "
+        "to %(last)s° (positions %(one)s–%(other)s)."
     ),
     "longer": N_(
-        "Its working stroke, the longer-lasting one, lasts from the angle of turn %(first)s° to %(last)s° (positions "
-        "%(one)s … %(other)s)."
+        "Its working stroke, the longer-lasting one, lasts from the angle of rotation %(first)s° to %(last)s° "
+        "(positions %(one)s–%(other)s)."
     ),
 }
 WORKING_ROUND = {
     "load": N_(
-        "Its working stroke, in which the stated load does its work, lasts from the angle of turn %(first)s° over the "
-        "end of the cycle to %(last)s° (positions %(one)s … %(other)s)."
+        "Its working stroke, in which the stated load does its work, lasts from the angle of rotation %(first)s° "
+        "over the end of the cycle to %(last)s° (positions %(one)s–%(other)s)."
     ),
     "longer": N_(
-        "Its working stroke, the longer-lasting one, lasts from the angle of turn %(first)s° over the end of the cycle "
-        "to %(last)s° (positions %(one)s … %(other)s)."
+        "Its working stroke, the longer-lasting one, lasts from the angle of rotation %(first)s° over the end of "
+        "the cycle to %(last)s° (positions %(one)s–%(other)s)."
     ),
 }
 WORKING_OF_SEVERAL = {
     "load": N_(
-        "Its working stroke, in which the stated load does its work, goes through positions %(one)s … %(other)s."
+        "Its working stroke, in which the stated load does its work, goes through positions %(one)s–%(other)s."
     ),
-    "longer": N_("Its working stroke, the longer-lasting one, goes through positions %(one)s … %(other)s."),
+    "longer": N_("Its working stroke, the longer-lasting one, goes through positions %(one)s–%(other)s."),
 }

@@ -62,9 +62,9 @@ CLOSURES = {
 }
 # The same of a group above class II.
 HIGHER_CLOSURE = N_(
-    "group %(group)s: the equations of its closed vector contours, %(n)s in projections on the axes, are solved "
-    "together by Newton's method; the group is followed from the assembly of the sketch by steps so short that by the "
-    "Newton–Kantorovich condition only one solution lies near, so it cannot pass into another assembly"
+    "group %(group)s: the equations of its closed vector loops, %(n)s in projections on the axes, are solved "
+    "together by Newton's method; the group is followed from the assembly of the sketch by steps so short that "
+    "by the Newton–Kantorovich condition only one solution lies near, so it cannot pass into another assembly"
 )
 
 # Of a follower with the link that replaces its cam pair.
@@ -244,7 +244,7 @@ class KinematicsView(BookView):
             for row, c in zip(where, self.found.closest, strict=True)
         ]
         heads = [
-            self.t("Group"), self.t("Measure"), self.t("Least value"), self.t("At the angle of turn, °"),
+            self.t("Group"), self.t("Measure"), self.t("Least value"), self.t("At the angle of rotation, °"),
             self.t("Digits that remain"),
         ]  # fmt: skip
         return worded(caption, heads, rows, (3, 6, 2, 2, 2))
@@ -301,17 +301,17 @@ class KinematicsView(BookView):
 
 OF_POINT, OF_LINK = N_("of point %(name)s at %(angles)s"), N_("of link %(name)s at %(angles)s")
 PASSED = N_(
-    "at the angle of turn φ = %(angles)s group %(group)s (links %(links)s) passes a change point: "
-    "its two assemblies meet and two continuations exist; the stated assembly is kept and the motion "
-    "goes on smoothly. Velocities and accelerations there are the limits of those beside it; reactions "
-    "grow without bound and are left out"
+    "at the angle of rotation φ = %(angles)s group %(group)s (links %(links)s) passes a change point: its two "
+    "assemblies meet and two continuations exist; the stated assembly is kept and the motion goes on smoothly. "
+    "Velocities and accelerations there are the limits of those beside it; reactions grow without bound and are "
+    "left out"
 )
 CORNER = N_(
-    "at the angle of turn φ = %(angles)s group %(group)s (links %(links)s) is in a change point in which "
-    "its two assemblies meet, and is kept in the stated one: gone through smoothly, it would begin the "
-    "next turn in the other. Velocities jump there, and extremes are sought on both sides of it"
+    "at the angle of rotation φ = %(angles)s group %(group)s (links %(links)s) is in a change point in which its "
+    "two assemblies meet, and is kept in the stated one: gone through smoothly, it would begin the next turn in "
+    "the other. Velocities jump there, and extremes are sought on both sides of it"
 )
 LIMIT = N_(
-    "at the angle of turn φ = %(angles)s group %(group)s (links %(links)s) is at the limit of its "
-    "assembly; velocities there are not bounded"
+    "at the angle of rotation φ = %(angles)s group %(group)s (links %(links)s) is at the limit of its assembly; "
+    "velocities there are not bounded"
 )

@@ -52,8 +52,8 @@ def tables(found: Kinetostatics, pressed: Sequence[Pressing]) -> Iterator[Table]
 
 def _zones(one: Pressing) -> Table:
     begin, end = (
-        Message(N_("angle of turn at which it begins")),
-        Message(N_("angle of turn at which it ends")),
+        Message(N_("angle of rotation at which it begins")),
+        Message(N_("angle of rotation at which it ends")),
     )
     return Table(
         f"cam_parting_{one.cam.name}",

@@ -15,10 +15,10 @@ if TYPE_CHECKING:
     from tmm_report.chapters.lever.kinetostatics.solve.works import Work, Works
 
 EXTREMES = Message(N_("extremes of the balancing moment and of the reactions over the whole cycle"))
-WORKS = Message(N_("works of the loads over the cycle"))
+WORKS = Message(N_("work of the loads over the cycle"))
 SENSES = Message(N_("angles over which the balancing moment has one sense"))
 
-AT = N_("angle of turn at which it is reached")
+AT = N_("angle of rotation at which it is reached")
 SIDE = N_("the side of a jump on which it is reached; nothing where nothing jumps")
 LEAST = Quantity("least", None, "", Message(N_("its least value")))
 LEAST_AT = Quantity("least_at", Symbol("phi"), "deg", Message(AT))
@@ -33,7 +33,10 @@ MEAN_POWER = Quantity(
     "P_bal_mean", Symbol("P", "m"), "W", Message(N_("mean power of the balancing moment over the cycle"))
 )
 WORKS_SUM = Quantity(
-    "works_sum", None, "", Message(N_("sum of the works of all loads over the cycle by the largest of them"))
+    "works_sum",
+    None,
+    "",
+    Message(N_("sum of the work of all loads over the cycle, relative to the largest share")),
 )
 
 
@@ -86,8 +89,8 @@ def works_tables(found: Works, named: Sequence[tuple[Quantity, Work]]) -> Iterat
         ),
     )
     zones = found.zones
-    begin = Message(N_("angle of turn at which the sense begins to hold"))
-    end = Message(N_("angle of turn to which it holds"))
+    begin = Message(N_("angle of rotation at which the sense begins to hold"))
+    end = Message(N_("angle of rotation to which it holds"))
     yield Table(
         "moment_senses",
         SENSES,

@@ -19,9 +19,12 @@ Array = Any
 
 STROKES = Message(N_("strokes of the indicator diagrams over the cycle"))
 BEGINS = Quantity(
-    "begins", Symbol("phi"), "deg", Message(N_("angle of turn from position 0 at which the stroke begins"))
+    "begins",
+    Symbol("phi"),
+    "deg",
+    Message(N_("angle of rotation from position 0 at which the stroke begins")),
 )
-ENDS = Quantity("ends", Symbol("phi"), "deg", Message(N_("angle of turn at which it ends")))
+ENDS = Quantity("ends", Symbol("phi"), "deg", Message(N_("angle of rotation at which it ends")))
 
 WORDS = {
     "intake": N_("intake stroke"),

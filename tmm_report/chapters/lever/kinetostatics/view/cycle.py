@@ -124,12 +124,12 @@ class CycleView(BookView):
         pair = self.found.over.statics.reactions[key].pair
         row = self._row(q.reaction(*pair.links).key)
         pivot = N_(
-            "The largest reaction is that of pivot %(pair)s of links %(one)s and %(other)s: %(force)s N at the angle "
-            "of turn %(angle)s°."
+            "The largest reaction is that of pivot %(pair)s of links %(one)s and %(other)s: %(force)s N at the "
+            "angle of rotation %(angle)s°."
         )
         guide = N_(
-            "The largest reaction is that of guide %(pair)s of links %(one)s and %(other)s: %(force)s N at the angle "
-            "of turn %(angle)s°."
+            "The largest reaction is that of guide %(pair)s of links %(one)s and %(other)s: %(force)s N at the "
+            "angle of rotation %(angle)s°."
         )
         text = pivot if pair.kind == "R" else guide
         force = self.page.shown(self._extremes, "greatest", row)
@@ -162,8 +162,8 @@ class CycleView(BookView):
         """Where the moment has which sense, and its work there."""
         table = self._zones
         words = {
-            "along": self.t("along ω: the engine drives"),
-            "against": self.t("opposite to ω: the surplus goes to the flywheel"),
+            "along": self.t("along ω: it drives the mechanism"),
+            "against": self.t("opposite to ω: the mechanism gives off work"),
         }
         rows = [
             [
@@ -187,12 +187,10 @@ class CycleView(BookView):
         """At which positions the moment has which sense, in sentences."""
         table = self._works
         driving = N_(
-            "The moment has the sense of rotation of the driving link at the positions %(positions)s: there the "
-            "engine drives."
+            "The moment has the sense of rotation of the driving link at the positions %(positions)s: there it "
+            "drives the mechanism."
         )
-        giving = N_(
-            "It is opposite at the positions %(positions)s: there the mechanism gives work to the flywheel."
-        )
+        giving = N_("It is opposite at the positions %(positions)s: there the mechanism gives off work.")
         texts = (("drives_at", driving), ("resists_at", giving))
         return [
             self.t(text, positions=self.page.said(Cell(table[key].values[0], table.ref(key, 0))))

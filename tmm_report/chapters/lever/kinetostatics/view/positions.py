@@ -67,9 +67,9 @@ def parts(lever: LeverFound, page: Page) -> Iterator[Part | None]:
 
 
 UNBOUNDED = N_(
-    "The balancing moment grows without bound towards the limit position, so that no extremes of it are given; at the "
-    "positions that exist Zhukovsky's lever and the power balance confirm it, the relative difference does not exceed "
-    "%(worst)s."
+    "The balancing moment grows without bound towards the limit position, so that no extremes of it are given; "
+    "at the positions that exist Zhukovsky's lever and the power balance confirm it, with a relative difference "
+    "that does not exceed %(worst)s."
 )
 DISAGREE = N_(
     "The balancing moments of the force analysis, of Zhukovsky's lever and of the power balance disagree by a relative "
@@ -102,15 +102,15 @@ class KinetostaticsView(BookView):
     def conclusions(self) -> list[Markup]:
         found = self.found
         text = N_(
-            "The balancing moment varies over the cycle from %(low)s N·m at the angle of turn %(lowat)s to %(high)s "
-            "N·m at %(highat)s; Zhukovsky's lever and the power balance confirm it, the relative difference "
-            "does not exceed %(worst)s."
+            "The balancing moment varies over the cycle from %(low)s N·m at the angle of rotation %(lowat)s to "
+            "%(high)s N·m at %(highat)s; Zhukovsky's lever and the power balance confirm it, with a relative "
+            "difference that does not exceed %(worst)s."
         )
         if not found.agrees:
             text = N_(
-                "The balancing moments of the force analysis, of Zhukovsky's lever and of the power balance disagree "
-                "by a relative %(worst)s: the solution must not be used. By the force analysis the moment varies from "
-                "%(low)s N·m at the angle of turn %(lowat)s to %(high)s N·m at %(highat)s."
+                "The balancing moments of the force analysis, of Zhukovsky's lever and of the power balance "
+                "disagree by a relative %(worst)s: the solution must not be used. By the force analysis the "
+                "moment varies from %(low)s N·m at the angle of rotation %(lowat)s to %(high)s N·m at %(highat)s."
             )
         worse = "lever" if found.worst_lever >= found.worst_power else "power"
         worst = self.bound(f"{worse}_disagreement")

@@ -54,7 +54,7 @@ def mistakes(
         path = ("drawing", name)
         if name not in names:
             usual = [name for name in names if not name.startswith("π")]
-            text = N_("%(name)s is neither a key of the drawing nor a segment of the scheme or the plans")
+            text = N_("%(name)s is neither a key of the drawing nor a segment of the scheme or the polygons")
             yield mistake(text, path, near(name, [*others, *usual]), name=shown(name))
             continue
         try:

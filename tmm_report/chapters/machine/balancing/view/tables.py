@@ -20,7 +20,7 @@ WAYS = {
     "stated": N_("the counterweights that are there"),
     "full": N_("all mass centres moved to the frame"),
     "pivoted": N_("counterweights on all links with fixed pivots"),
-    "substituted": N_("masses substituted into the joints"),
+    "substituted": N_("masses concentrated at the joints"),
     "optimum_rms": N_("one counterweight on the driving link, least mean square"),
     "optimum_max": N_("one counterweight on the driving link, least maximum"),
 }
@@ -152,7 +152,7 @@ class BalancingSheet(AgainstMoment):
     def rotors(self, caption: Any) -> Table:
         table, page = self.table("lanchester_rotors"), self.page
         sizes = ("r", "m") if self.found.given.radii else ()
-        heads = [self.t("Speed of the rotor, in those of the driving link")]
+        heads = [self.t("Speed of the rotor by that of the driving link")]
         heads += self.heads(table, ("mr", "alpha", *sizes))
         size = max(one.moment for one in self.found.rotors)
         rows = [

@@ -51,7 +51,7 @@ class BalancingView(BalancingSheet):
         )
         if self.found.complete(best):
             text = N_(
-                "The greatest shaking force of the mechanism is %(force)s N; the way “%(way)s” balances it in full."
+                "The greatest shaking force of the mechanism is %(force)s N; the way “%(way)s” balances it fully."
             )
         of, left = self._peak(0), self._peak(number)
         told = [self.t(text, force=of, way=self.way(best), left=left)]
@@ -71,8 +71,8 @@ class BalancingView(BalancingSheet):
             yield self.t(text, before=before, n=every.index(last), left=left)
         else:
             text = N_(
-                "The greatest shaking moment of the mechanism is %(before)s N·m; way %(m)s makes it %(after)s N·m, way "
-                "%(n)s leaves %(left)s N·m of that."
+                "The greatest shaking moment of the mechanism is %(before)s N·m; way %(m)s changes it to "
+                "%(after)s N·m, and way %(n)s leaves %(left)s N·m of that."
             )
             numbers = {"m": every.index(first.base), "n": every.index(last)}
             yield self.t(text, before=before, after=after, left=left, **numbers)

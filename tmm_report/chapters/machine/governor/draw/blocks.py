@@ -24,7 +24,7 @@ TALL, GAP, SIZE = 12.0, 12.0, 3.0  # height of a box, an arrow between two, heig
 SPARE = 5.0  # beside the letters of a box
 BACK, AHEAD = 8.0, 7.0  # of the line that goes back, from the first and the last box
 
-MACHINE, BEVEL, GOVERNOR = N_("machine"), N_("bevel wheels"), N_("governor")
+MACHINE, BEVEL, GOVERNOR = N_("machine"), N_("bevel gear pair"), N_("governor")
 THROTTLE, SERVO, ISODROME = N_("throttle"), N_("servomotor"), N_("isodrome")
 
 

@@ -106,12 +106,12 @@ class LoopView(ChapterView):
         if self.found.stable:
             return self.t(
                 N_(
-                    "All of them are positive and all eigenvalues lie in the left half plane: the loop is stable."
+                    "All of them are positive and all eigenvalues lie in the left half-plane: the loop is stable."
                 )
             )
         return self.t(
             N_(
-                "Not all of them are positive, and an eigenvalue lies in the right half plane: the loop is unstable."
+                "Not all of them are positive, and an eigenvalue lies in the right half-plane: the loop is unstable."
             )
         )
 

@@ -34,7 +34,7 @@ GIVEN = (
 TILTS = ("alpha", "beta", "gamma", "theta")
 MECHANISM = ("H", "alpha", "beta", "dx", "gamma", "r", "dr", "theta", "dy")
 STABILITY = {
-    "stable": N_("The speed grows as the sleeve rises: the governor is stable all over its lift."),
+    "stable": N_("The speed grows as the sleeve rises: the governor is stable over its whole lift."),
     "unstable": N_(
         "The governor is unstable: its speed falls as the sleeve rises, so the sleeve leaves every position for a stop."
     ),
@@ -43,7 +43,7 @@ STABILITY = {
         "goes from stop to stop at the least change of the speed."
     ),
     "partly": N_(
-        "The governor is stable over a part of its lift only; where the speed falls, the sleeve does not stay."
+        "The governor is stable over a part of its lift only; where the speed falls, the sleeve does not stay in place."
     ),
 }
 
@@ -107,7 +107,7 @@ class GovernorView(ChapterView):
         """What kind of governor it is."""
         geometry, weights = self.direct.given.geometry, self.direct.weights
         if isinstance(geometry, BellCrank):
-            return self.t(N_("a governor with angle levers and a spring (Hartnell)"))
+            return self.t(N_("a governor with bell-crank levers and a spring (Hartnell)"))
         if geometry.extension is not None:
             return self.t(N_("a governor with extended lower arms (Proell)"))
         if weights.stiffness or weights.preload:
@@ -214,8 +214,8 @@ class GovernorView(ChapterView):
         if self.found.direct is None:
             return []
         text = N_(
-            "The centrifugal governor works between %(low)s rpm and %(high)s rpm of its shaft, its non-uniformity is "
-            "%(delta)s %%."
+            "The centrifugal governor works between %(low)s rpm and %(high)s rpm of its shaft; its "
+            "non-uniformity is %(delta)s %%."
         )
         low, high = (self.number(f"omega_{end}") for end in ("0", "h"))
         return [self.t(text, low=low, high=high, delta=self.number("delta")), self.stability()]

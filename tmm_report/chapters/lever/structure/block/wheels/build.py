@@ -194,7 +194,7 @@ def rolling_pair(k: int, model: RollingModel, built: Mechanism) -> Mesh:
     slides = [one for one in built.slides if one.link == model.carrier]
     if others or len(slides) > 1 or abs(complex(slide.through) - at) > 1e-12 or axle.inertia:
         text = N_(
-            "link %(link)s is more than the axle of a wheel: what the rail bears of its guide is not told apart"
+            "link %(link)s is more than the axle of a wheel: what the rail bears of its guide cannot be told apart"
         )
         right = N_("carrier: a slider of the point %(point)s alone; or mechanism.racks with slider: 0")
         raise Wrong("carrier", Message(text, {"link": model.carrier}), Message(right, {"point": point}))
