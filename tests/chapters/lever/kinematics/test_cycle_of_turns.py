@@ -438,7 +438,7 @@ def test_the_note_says_how_the_cycle_goes():
     for words in (
         "The cycle takes 2 turns of the driving link, 720° in 0.054545\N{NO-BREAK SPACE}s",
         "drawn at 12 equally spaced positions",
-        "position 12 has the places, velocities and accelerations of position 0",
+        "position 12 has the coordinates, velocities and accelerations of position 0",
         "extreme values are given for the first turn",
     ):
         assert words in text

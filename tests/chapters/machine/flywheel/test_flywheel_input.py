@@ -56,7 +56,7 @@ def told(text: str) -> str:
         ("delta: 0.1, speed: 10, resisting: {table: [[90 deg, 2], [0, 3]]}", "must ascend"),
         ("delta: 0.1, speed: 10, resisting: {table: [[0, 2], [400 deg, 3]]}", "400 deg is beyond the cycle of 1"),
         ("delta: 0.1, speed: 10, motor: {power: 1 kW, speed: 100}, resisting: " + TABLE,
-         "the motor is too weak: the cycle takes 2 kW on the average, the motor gives 1 kW"),
+         "the motor is too weak: the cycle takes 2 kW on average, the motor gives 1 kW"),
         ("delta: 0.1, speed: 10, shaft: motor, resisting: " + TABLE, "there is no motor"),
         ("delta: 0.1, speed: 10, disc: {}, rim: {}, resisting: " + TABLE, "several shapes: disc, rim"),
         ("wheel: {mass: 5}, speed: 10, resisting: " + TABLE, "mass and radius of gyration together"),

@@ -74,7 +74,7 @@ def test_the_power_balance_closes_with_friction_in_it():
 
 def test_a_motor_is_judged_with_the_friction():
     assert press("439 W").flywheel.s.number("P_need") == pytest.approx(438.5, abs=0.1)
-    with pytest.raises(ProblemError, match=r"0\.4385 kW on the average, 0\.06349 kW of it for the friction"):
+    with pytest.raises(ProblemError, match=r"0\.4385 kW on average, 0\.06349 kW of it for the friction"):
         press("400 W")
     assert press("400 W", more="friction: false").flywheel.s.number("P_need") == pytest.approx(375)
 
