@@ -1,7 +1,6 @@
 // What shows one quantity belongs together: cells, symbols, vectors and links are lit by one another; a click says how
 // the number comes about, by the formulas of the page, or by the sentence of its chapter.
 
-const MOST = 6; // formulas of one answer
 const marked = (from) => from?.closest?.("[data-q], [data-link], [data-point]");
 
 // The links and points that a key names: v_B, R_12, a_BA_t.
@@ -42,9 +41,18 @@ function fellowsLight() {
 
 // The formula that defines a quantity: its result is the last number of the formula.
 function formulaOf(key, row) {
-  const all = [...document.querySelectorAll("main .formula")].filter((f) => f.querySelector("[data-q]"));
-  const own = all.filter((f) => result(f).q === key);
+  const own = (formulas ??= formulasOf()).get(key) ?? [];
   return own.find((f) => result(f).k === row) ?? own[0];
+}
+
+let formulas = null; // key -> the formulas that define it
+function formulasOf() {
+  const found = new Map();
+  for (const formula of document.querySelectorAll("main .formula")) {
+    const key = formula.querySelector("[data-q]") && result(formula).q;
+    if (key) found.set(key, [...(found.get(key) ?? []), formula]);
+  }
+  return found;
 }
 
 const result = (formula) => [...formula.querySelectorAll("[data-q]")].at(-1).dataset;
@@ -53,7 +61,7 @@ const result = (formula) => [...formula.querySelectorAll("[data-q]")].at(-1).dat
 function derivation(key, row) {
   const found = new Set();
   const waiting = [formulaOf(key, row)];
-  while (waiting.length && found.size < MOST) {
+  while (waiting.length) {
     const formula = waiting.shift();
     if (!formula || found.has(formula)) continue;
     found.add(formula);
@@ -62,13 +70,42 @@ function derivation(key, row) {
   return [...found].sort((a, b) => (a.compareDocumentPosition(b) & 4 ? -1 : 1));
 }
 
-function told(kind, { q, t }) {
-  const of = known.told[kind];
-  const n = of[`${t ?? ""}.${q}`] ?? of[q];
-  return n === undefined ? "" : known.told.texts[n];
+// The numbers with which formulas begin: those that no formula defines, each once.
+function beginnings(formulas) {
+  const found = new Map();
+  for (const formula of formulas)
+    for (const one of formula.querySelectorAll("[data-q]")) {
+      const name = `${one.dataset.q} ${one.textContent}`;
+      if (one.dataset !== result(formula) && !formulaOf(one.dataset.q, one.dataset.k)) found.set(name, one);
+    }
+  return [...found.values()];
 }
 
-function explain(one) {
+// The last heading before a formula.
+function headOf(formula) {
+  const before = [...document.querySelectorAll("main :is(h1, h2, h3, h4)")].filter((h) => h.compareDocumentPosition(formula) & 4);
+  return before.at(-1)?.textContent ?? "";
+}
+
+let texts = null; // unpacked when the first is asked for; a browser that cannot has the formulas alone
+async function tellings() {
+  try {
+    const bytes = Uint8Array.from(atob(known.told), (c) => c.charCodeAt(0));
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
+    return JSON.parse(await new Response(stream).text());
+  } catch {
+    return { texts: [], ways: {}, meanings: {} };
+  }
+}
+
+function told(kind, { q, t }) {
+  const of = texts[kind];
+  const n = of[`${t ?? ""}.${q}`] ?? of[q];
+  return n === undefined ? "" : texts.texts[n];
+}
+
+async function explain(one) {
+  texts ??= await tellings();
   const { q, k } = one.dataset;
   const box = element("dialog", { class: "told" });
   const close = () => box.close();
@@ -77,13 +114,22 @@ function explain(one) {
   box.append(element("p", { class: "head" }, meaning || q, k === undefined || !one.dataset.t?.endsWith("_table") ? "" : `, ${words.position.toLowerCase()} ${k}`, ": ", element("b", {}, one.textContent)));
   const way = told("ways", one.dataset);
   if (way) box.append(element("p", {}, way));
-  for (const formula of derivation(q, k)) {
+  const leading = derivation(q, k);
+  if (leading.length && k !== undefined && result(formulaOf(q, k)).k !== k) box.append(element("p", {}, words.likewise));
+  let head = "";
+  for (const formula of leading) {
+    if (headOf(formula) !== head) box.append(element("p", { class: "section" }, (head = headOf(formula))));
     const copy = formula.querySelector(".math").cloneNode(true);
     const number = formula.querySelector(".number")?.textContent ?? "";
     const back = element("a", { href: formula.id ? `#${formula.id}` : "#", click: close, title: words.formula }, number || "→");
     if (!formula.id) back.addEventListener("click", (event) => (event.preventDefault(), formula.scrollIntoView({ block: "center" })));
     box.append(element("div", { class: "formula" }, copy, back));
   }
+  const begins = beginnings(leading);
+  if (begins.length) box.append(element("p", { class: "section" }, words.begins));
+  const list = element("ul");
+  for (const from of begins) list.append(element("li", {}, told("meanings", from.dataset) || from.dataset.q, ": ", element("b", {}, from.textContent)));
+  if (begins.length) box.append(list);
   box.addEventListener("click", (event) => event.target === box && close());
   box.addEventListener("close", () => box.remove());
   document.body.append(box);

@@ -157,6 +157,7 @@ function figuresFollow() {
   };
   add("plans", livePlan);
   add("loads", liveLoads);
+  add("moves", liveMoves);
   add("charts", liveChart);
   followers.push(() => inSight.forEach((figure) => draws.get(figure)()));
   addEventListener("beforeprint", () => restore(document.body));

@@ -1,8 +1,6 @@
 // Where the links are, mm, y up. Between two positions a link goes by the polynomial of the fifth degree that has the
 // places, velocities and accelerations of both.
 
-const mechanism = known.mechanism;
-
 function between([p, v, a], turn) {
   const i = where.i;
   if (where.s === 0 || !turn) return p[i];

@@ -113,5 +113,5 @@ if (cycle) {
   root.classList.add("moves");
   figuresFollow();
   rowsFollow();
-  show(cycle.at[cycle.numbered[mechanism.sample] ?? 0]);
+  show(cycle.at[home]);
 }

@@ -171,7 +171,9 @@ function drags(svg) {
 
   function placeAt(at) {
     const saved = followers.splice(0);
+    const { whole } = where;
     show(at);
+    where.whole = whole;
     followers.push(...saved);
   }
 }
@@ -227,7 +229,7 @@ function step(by) {
 // ---- the dock
 
 function dock() {
-  const { svg, layers, draw } = stageDrawn();
+  const { svg, layers, draw } = mechanism ? stageDrawn() : { svg: "", layers: {} };
   const button = (name, sign, act, more = {}) => element("button", { type: "button", title: words[name], "aria-label": words[name], click: act, ...more }, sign);
   const toggle = () => (playing ? stop() : play());
   const player = button("play", "▶", toggle, { class: "play" });
@@ -251,7 +253,7 @@ function dock() {
     "div", { class: "controls" }, button("back", "◀", () => (stop(), step(-1))), player, button("next", "▶|", () => (stop(), step(1))), slider, speed, fold,
   );
   const panel = element("aside", { class: "dock", "aria-label": words.place }, svg, controls, told, choices, readings());
-  svg.addEventListener("keydown", (event) => {
+  (svg || slider).addEventListener("keydown", (event) => {
     const act = { ArrowRight: () => step(1), ArrowLeft: () => step(-1), Home: () => show(cycle.at[0]), " ": toggle }[event.key];
     if (act) event.preventDefault(), event.key === " " || stop(), act();
   });

@@ -3,7 +3,7 @@
 // Nothing is computed here from the laws of mechanics: every number is that of a position that was solved.
 
 const known = JSON.parse(document.getElementById("living").textContent);
-const { words, cycle } = known;
+const { words, cycle, mechanism } = known;
 const root = document.documentElement;
 const reduced = matchMedia("(prefers-reduced-motion: reduce)");
 root.classList.add("living");
@@ -29,7 +29,8 @@ const text = (x, digits = 5) => {
 
 // ---- where the mechanism is: `at` degrees turned, between positions `i` and `i + 1`, the share `s` of the way
 
-const where = { at: 0, i: 0, s: 0 };
+const where = { at: 0, i: 0, s: 0, whole: 0 }; // `whole`: cycles gone through
+const home = cycle ? (cycle.numbered[mechanism?.sample ?? 0] ?? 0) : 0; // where the page begins
 const followers = [];
 const last = cycle ? cycle.at.length - 1 : 0;
 const span = cycle ? cycle.at[last] - cycle.at[0] : 0;
@@ -37,12 +38,13 @@ const span = cycle ? cycle.at[last] - cycle.at[0] : 0;
 function show(at) {
   if (!cycle) return;
   const start = cycle.at[0];
+  if (cycle.closed && (at < start || at > start + span)) where.whole += Math.floor((at - start) / span);
   if (cycle.closed && (at < start || at > start + span)) at = start + ((((at - start) % span) + span) % span);
   at = Math.min(Math.max(at, start), start + span);
   let i = Math.max(0, Math.min(last - 1, cycle.at.findIndex((x) => x > at) - 1));
   if (at >= cycle.at[last]) i = Math.max(0, last - 1);
   let s = last ? (at - cycle.at[i]) / (cycle.at[i + 1] - cycle.at[i]) : 0;
-  if (!known.mechanism.smooth[i] || s < 1e-6 || s > 1 - 1e-6) s = Math.round(s);
+  if ((mechanism && !mechanism.smooth[i]) || s < 1e-6 || s > 1 - 1e-6) s = Math.round(s);
   Object.assign(where, { at: last ? cycle.at[i] + s * (cycle.at[i + 1] - cycle.at[i]) : start, i, s });
   root.dataset.at = where.at;
   for (const follow of followers) follow();

@@ -36,7 +36,7 @@ def seen(name: str) -> dict[str, Any]:
         found["keys"] = keys(talk)
         found["plans"] = run(talk, PLANS)
         found["said_on_plan"] = run(talk, "document.getElementById(Object.keys(known.plans)[0]).dataset.now")
-        found["explained"] = run(talk, EXPLAINED)
+        found["explained"] = run(talk, EXPLAINED % "x => formulaOf(x.dataset.q, x.dataset.k)")
         found["titles"] = run(
             talk,
             "[...document.querySelectorAll('main figure svg')].map(s => s.querySelector('title')?.textContent ?? '')",
@@ -141,13 +141,16 @@ PLANS = """
 })()
 """
 EXPLAINED = """
-(() => {
+(async () => {
   const cells = [...document.querySelectorAll('main td[data-q]')].filter(x => x.dataset.q !== 'position');
-  const cell = cells.find(x => formulaOf(x.dataset.q, x.dataset.k));
+  const cell = cells.find(%s);
   cell.click();
+  while (!document.querySelector('dialog.told')) await new Promise(done => setTimeout(done, 20));
   const box = document.querySelector('dialog.told');
   const count = what => box.querySelectorAll(what).length;
-  const found = [count('math'), box.textContent.includes(cell.textContent), count('script')];
+  const all = what => [...box.querySelectorAll(what)].map(x => x.textContent);
+  const found = [count('math'), box.textContent.includes(cell.textContent), count('script'),
+    all('.formula a'), all('li')];
   box.close();
   return found;
 })()
@@ -296,8 +299,14 @@ def test_a_plan_of_another_position_says_of_which():
 
 
 def test_a_click_tells_how_a_number_comes_about():
-    formulas, number_there, scripts = seen("compressor")["explained"]
+    formulas, number_there, scripts, *_ = seen("compressor")["explained"]
     assert formulas >= 1 and number_there and scripts == 0
+
+
+def test_a_click_follows_formulas_to_what_they_begin_with():
+    """From the page itself: what a formula needs stands before it, and what nothing defines is listed once."""
+    *_, numbers, begins = seen("compressor")["explained"]
+    assert numbers and begins and len(set(begins)) == len(begins)
 
 
 def test_figures_have_names_and_the_side_has_the_contents():

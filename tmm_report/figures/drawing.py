@@ -64,6 +64,8 @@ __all__ = [
     "Circle",
     "Drawing",
     "Item",
+    "Moves",
+    "Moving",
     "Path",
     "Pen",
     "Planned",
@@ -113,6 +115,32 @@ class Acts(NamedTuple):
     turn: complex = 0j
 
 
+class Moving(NamedTuple):
+    """What moves of a drawing: `items`, about `centre` as member `of` of a drive turns, in the `sense` that is drawn, 0
+    where that is the member's own; the centre about the origin as member `about` does. `pitch`: of teeth, rad, of which
+    one is drawn; those in the middle of the sheet, `half` mm wide to either side, are seen. Without a member: `turns`,
+    rad, and `ways`, mm, at the angles `at` of a cycle, rad."""
+
+    items: tuple[Item, ...]
+    centre: complex = 0j
+    of: str = ""
+    sense: int = 0
+    about: str = ""
+    pitch: float = 0.0
+    half: float = 0.0
+    at: tuple[float, ...] = ()
+    turns: tuple[float, ...] = ()
+    ways: tuple[complex, ...] = ()
+
+
+class Moves(NamedTuple):
+    """The moving parts of a drawing, and its items, `still`, that they take the place of; `bare`: and its letters."""
+
+    parts: tuple[Moving, ...]
+    still: tuple[Item, ...]
+    bare: bool = False
+
+
 @dataclass(frozen=True)
 class Drawing:
     """Primitives in the order they are drawn, mm of paper; `title` is read aloud to who cannot see it."""
@@ -123,6 +151,7 @@ class Drawing:
     scales: tuple[Scale, ...] = field(default=(), kw_only=True)  # of its axes, where it has some
     plan: Planned | None = field(default=None, kw_only=True)  # of a plan, what it shows
     acts: Acts | None = field(default=None, kw_only=True)  # of a loading scheme
+    moves: Moves | None = field(default=None, kw_only=True)
 
     @cached_property
     def box(self) -> Box:

@@ -6,8 +6,10 @@ the positions that were solved, as one block of JSON. Without it the page is the
 
 from __future__ import annotations
 
+import base64
 import json
 import re
+import zlib
 from collections.abc import Container, Mapping
 from functools import cache
 from html import unescape
@@ -17,9 +19,10 @@ from tmm_report.course import Results
 from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.living.charts import cursors
-from tmm_report.living.cycle import Cycle, cycle_of
+from tmm_report.living.cycle import Cycle, cycle_of, positions_of
 from tmm_report.living.loads import Loads
 from tmm_report.living.mechanism import moving, seen
+from tmm_report.living.moves import moved
 from tmm_report.living.plans import polygons
 from tmm_report.living.told import told
 from tmm_report.living.words import words
@@ -32,10 +35,11 @@ SCRIPTS = (
     "stage",
     "figures",
     "loads",
+    "moves",
     "tables",
     "fellows",
     "page",
-)  # in the order they run
+)  # as they run
 _KEY = re.compile(' data-q="([^"]*)"')
 Pictures = Mapping[str, Drawing | Graph]
 
@@ -55,15 +59,19 @@ def added(text: str, results: Results, page: Page, pictures: Pictures) -> str:
 
 
 def known(results: Results, page: Page, pictures: Pictures, shown: Container[str] = ()) -> dict[str, Any]:
-    """What the script knows; `shown`: the keys of the numbers on the page. Nothing moves without a lever mechanism."""
+    """What the script knows; `shown`: the keys of the numbers on the page."""
     found: dict[str, Any] = {
         "words": words(page.tr),
         "decimal": page.tr.decimal,
-        "told": told(results, page, shown),
+        "told": packed(told(results, page, shown)),
     }
-    lever = results.lever
+    lever, moves = results.lever, moved(pictures, results)
     if lever is None or (cycle := cycle_of(results)) is None:
-        return found
+        turn = positions_of(results)
+        charts = cursors(pictures, turn, page.tr)
+        if not moves and not charts:
+            return found
+        return found | {"cycle": turn.said(page.tr, shown, {}, {}), "moves": moves, "charts": charts}
     view = seen(lever, cycle, page)
     mechanism = moving(lever, cycle, view)
     drawn = {key for key in cycle.vectors if key[:2] in ("v_", "a_") and key[2:] in mechanism["points"]}
@@ -78,8 +86,16 @@ def known(results: Results, page: Page, pictures: Pictures, shown: Container[str
         "mechanism": mechanism,
         "plans": polygons(pictures, cycle),
         "loads": schemes,
+        "moves": moves,
         "charts": cursors(pictures, cycle, page.tr),
     }
+
+
+def packed(data: Any) -> str:
+    """What is asked for by a click alone: raw deflate (RFC 1951) in base64, a quarter of the text."""
+    squeeze = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS)
+    text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    return base64.b64encode(squeeze.compress(text.encode()) + squeeze.flush()).decode()
 
 
 def as_json(data: Any) -> str:

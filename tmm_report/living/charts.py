@@ -11,7 +11,7 @@ from tmm_report.figures.charts.graphs import Curve, Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.lettering import Label, Parts, Symbol
 from tmm_report.i18n import Translator
-from tmm_report.living.cycle import Cycle, numbers
+from tmm_report.living.cycle import Positions, numbers
 from tmm_report.quantity.text import unit_text
 
 Array = Any
@@ -19,7 +19,7 @@ DIGITS = 5
 NEAR = 1e-6  # degrees
 
 
-def cursors(pictures: Mapping[str, Drawing | Graph], cycle: Cycle, tr: Translator) -> dict[str, Any]:
+def cursors(pictures: Mapping[str, Drawing | Graph], cycle: Positions, tr: Translator) -> dict[str, Any]:
     found = {}
     for anchor, picture in pictures.items():
         if isinstance(picture, Graph) and over_the_cycle(picture, cycle):
@@ -27,7 +27,7 @@ def cursors(pictures: Mapping[str, Drawing | Graph], cycle: Cycle, tr: Translato
     return found
 
 
-def over_the_cycle(graph: Graph, cycle: Cycle) -> bool:
+def over_the_cycle(graph: Graph, cycle: Positions) -> bool:
     """Whether a diagram's axis is the angle turned, from the first position to the last."""
     label = graph.xlabel
     along = isinstance(label, Label) and label.of.base == "phi" and label.unit == "deg"
@@ -35,7 +35,7 @@ def over_the_cycle(graph: Graph, cycle: Cycle) -> bool:
     return along and bool(np.all(np.abs(ends - (graph.x[0], graph.x[-1])) <= NEAR))
 
 
-def _cursor(graph: Graph, cycle: Cycle, tr: Translator) -> dict[str, Any]:
+def _cursor(graph: Graph, cycle: Positions, tr: Translator) -> dict[str, Any]:
     first = graph.panels[0]
     panels = [
         {
@@ -49,7 +49,7 @@ def _cursor(graph: Graph, cycle: Cycle, tr: Translator) -> dict[str, Any]:
     return {"left": round(first.left, 3), "right": round(first.right, 3), "panels": panels}
 
 
-def _curve(curve: Curve, x: Array, cycle: Cycle) -> dict[str, Any]:
+def _curve(curve: Curve, x: Array, cycle: Positions) -> dict[str, Any]:
     """A curve has the positions among its points; at a jump it has what stands for the position."""
     at = np.degrees(cycle.turned)
     order = np.argsort(x, kind="stable")

@@ -27,15 +27,16 @@ ASIDE = ("position", "phi", "t")
 
 
 @dataclass(frozen=True, eq=False)
-class Cycle:
+class Positions:
     """Positions `turned` (Q,), rad, ascending. `chosen`: their places among those of the table, then of the diagram;
-    `numbered`: the place in `turned` of each table position; `pairs`: tables over both, by their common name."""
+    `numbered`: the place in `turned` of each table position; `pairs`: tables over both, by their common name;
+    `closed`: whether behind the last comes the first."""
 
-    kinematics: Kinematics
     turned: Array
     chosen: Array
     numbered: Array
     pairs: Mapping[str, tuple[Table, Table]]
+    closed: bool
 
     def merged(self, of_table: Array, of_diagram: Array) -> Array:
         """Values of the table and of the diagram positions, (..., Q)."""
@@ -43,21 +44,7 @@ class Cycle:
 
     @cached_property
     def vectors(self) -> dict[str, Array]:
-        """Key -> complex (Q,), SI, of all vectors in the results, and of reactions turned round."""
-        found: dict[str, Array] = {}
-        for one, other in self.pairs.values():
-            for key in (column.key for column in one.columns):
-                if key in one and f"{key}_x" in one and f"{key}_y" in one and f"{key}_x" in other:
-                    x, y = (
-                        self.merged(one[k].numbers(), other[k].numbers()) for k in (f"{key}_x", f"{key}_y")
-                    )
-                    found[key] = x + 1j * y
-        links = list(self.kinematics.linkage.mechanism.links)
-        for by in links:
-            for on in links:
-                if (turned := reaction(on, by).key) in found:
-                    found.setdefault(reaction(by, on).key, -found[turned])
-        return found
+        return vectors_of(self)
 
     def said(
         self,
@@ -68,11 +55,10 @@ class Cycle:
     ) -> dict[str, Any]:
         """For the script: columns whose keys are `shown` on the page, the `vectors` that are drawn, and the couples,
         `turning`, of which only the sense is drawn."""
-        closed = bool(self.kinematics.cycle.closed)
         return {
             "at": numbers(np.degrees(self.turned)),
             "numbered": self.numbered.tolist(),
-            "closed": closed,
+            "closed": self.closed,
             "columns": {
                 name: [
                     self._column(column, other[column.key], tr)
@@ -94,6 +80,37 @@ class Cycle:
         sign = Plain(tr).symbol(one.quantity.symbol) if one.quantity.symbol is not None else one.key
         values = numbers(self.merged(one.numbers(unit), other.numbers(unit)))
         return {"key": one.key, "sign": sign, "unit": unit_text(unit, tr.language), "values": values}
+
+
+def vectors_of(positions: Positions) -> dict[str, Array]:
+    """Key -> complex (Q,), SI, of all vectors in the results."""
+    found: dict[str, Array] = {}
+    for one, other in positions.pairs.values():
+        for key in (column.key for column in one.columns):
+            if key in one and f"{key}_x" in one and f"{key}_y" in one and f"{key}_x" in other:
+                x, y = (
+                    positions.merged(one[k].numbers(), other[k].numbers()) for k in (f"{key}_x", f"{key}_y")
+                )
+                found[key] = x + 1j * y
+    return found
+
+
+@dataclass(frozen=True, eq=False)
+class Cycle(Positions):
+    """Those of a lever mechanism."""
+
+    kinematics: Kinematics
+
+    @cached_property
+    def vectors(self) -> dict[str, Array]:
+        """Reactions turned round are among them."""
+        found = vectors_of(self)
+        links = list(self.kinematics.linkage.mechanism.links)
+        for by in links:
+            for on in links:
+                if (turned := reaction(on, by).key) in found:
+                    found.setdefault(reaction(by, on).key, -found[turned])
+        return found
 
 
 def _is_text(column: Column) -> bool:
@@ -130,6 +147,7 @@ def cycle_of(results: Results) -> Cycle | None:
     chosen = order[apart]
     turned = every[chosen]
     numbered = np.searchsorted(turned, found.turned - SAME)
+    closed = bool(found.cycle.closed)
     sizes = len(found.turned), len(found.diagram_turned)
     by_name = {table.name: table for table in tables(results)}
     pairs = {
@@ -138,4 +156,32 @@ def cycle_of(results: Results) -> Cycle | None:
         if name.endswith("_table") and (other := by_name.get(name.removesuffix("_table") + "_diagram")) is not None
         and (len(table), len(other)) == sizes
     }  # fmt: skip
-    return Cycle(found, turned, chosen, numbered, pairs)
+    return Cycle(turned, chosen, numbered, pairs, closed, found)
+
+
+EVEN = 12  # positions of what turns evenly
+
+
+def positions_of(results: Results) -> Positions:
+    """Of a variant without a lever mechanism: those of its first tables over the angle, else of one turn."""
+    by_name = {table.name: table for table in tables(results)}
+    pairs = {
+        name.removesuffix("_table"): (table, other)
+        for name, table in by_name.items()
+        if name.endswith("_table") and (other := by_name.get(name.removesuffix("_table") + "_diagram")) is not None
+        and "phi" in table and "phi" in other
+    }  # fmt: skip
+    if not pairs:
+        turned = np.linspace(0, 2 * np.pi, EVEN + 1)
+        return Positions(turned, np.arange(EVEN + 1), np.arange(EVEN + 1), {}, True)
+    first = next(iter(pairs.values()))
+    one, other = (np.radians(table["phi"].numbers("deg")) for table in first)
+    sizes = len(one), len(other)
+    every = np.concatenate([one, other])
+    order = np.argsort(every, kind="stable")
+    chosen = order[np.diff(every[order], prepend=-1.0) > SAME]
+    turned = every[chosen]
+    turns = (turned[-1] - turned[0]) / (2 * np.pi)
+    same = {name: pair for name, pair in pairs.items() if tuple(map(len, pair)) == sizes}
+    closed = bool(turns > 0.5 and abs(turns - round(turns)) < SAME)
+    return Positions(turned, chosen, np.searchsorted(turned, one - SAME), same, closed)

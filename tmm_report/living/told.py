@@ -12,8 +12,6 @@ from tmm_report.quantity.model import Column, Table
 from tmm_report.quantity.ways import Way, by_kind
 from tmm_report.report.page import Page
 
-MOST = 400  # characters of a sentence
-
 
 def told(results: Results, page: Page, shown: Container[str]) -> dict[str, Any]:
     """`ways`, `meanings`: name of a number, "key" or, where tables differ in it, "table.key" -> the place of its text
@@ -23,7 +21,7 @@ def told(results: Results, page: Page, shown: Container[str]) -> dict[str, Any]:
     for table, key, way, meaning in _every(results, shown):
         for kind, text in (("ways", page.tr.gettext(way) if way else ""), ("meanings", _said(meaning, page))):
             if text:
-                number = texts.setdefault(_short(text), len(texts))
+                number = texts.setdefault(text, len(texts))
                 if found[kind].setdefault(key, number) != number:
                     found[kind][f"{table}.{key}"] = number
     return {"texts": list(texts), **found}
@@ -31,10 +29,6 @@ def told(results: Results, page: Page, shown: Container[str]) -> dict[str, Any]:
 
 def _said(meaning: Message, page: Page) -> str:
     return meaning.render(page.tr.gettext)
-
-
-def _short(text: str) -> str:
-    return text if len(text) <= MOST else text[: MOST - 1] + "…"
 
 
 def _every(results: Results, shown: Container[str]) -> Iterator[tuple[str, str, str, Message]]:

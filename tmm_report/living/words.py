@@ -28,6 +28,8 @@ WORDS = {
     "full": N_("Fill the window"),
     "close": N_("Close"),
     "formula": N_("The formula"),
+    "begins": N_("It begins with:"),
+    "likewise": N_("The note writes out other positions; this is found in the same way."),
     "fold": N_("Show or hide the mechanism"),
 }
 

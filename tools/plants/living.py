@@ -5,6 +5,7 @@ from __future__ import annotations
 from faults import Fault
 
 LIVING, SCRIPT = "tmm_report/living/", "templates/living/"
+MOVES = ("tests/living/test_living_moves.py",)
 LOADS = ("tests/living/test_living_loads.py",)
 DATA, SEEN = ("tests/living/test_living_data.py",), ("tests/living/test_living_page.py",)
 
@@ -37,6 +38,14 @@ FAULTS = (
           "const sense = n ? -1 : 1;", "const sense = n ? 1 : -1;", "compressor", LOADS),
     Fault("the moment over a scheme is that of the position of the plan", SCRIPT + "loads.js",
           "text(value(moment.values))", "text(moment.values[load.position])", "compressor", LOADS),
+    Fault("a wheel in mesh slides on the other", LIVING + "moves.py",
+          "part.sense * abs(rate) if part.sense else rate", "part.sense or rate", "hoist_drive", MOVES),
+    Fault("satellites do not turn of themselves", LIVING + "moves.py",
+          "rate = rates.get(part.of, 0.0)", "rate = rates.get(part.about or part.of, 0.0)", "hoist_drive", MOVES),
+    Fault("a cam turns against its motion", SCRIPT + "moves.js",
+          "if (part.turns) angle = along", "if (part.turns) angle = -along", "valve_cam", MOVES),
+    Fault("moving teeth are printed with the note's", SCRIPT + "living.css",
+          ".loads, .turning, dialog", ".loads, dialog", "hoist_drive", MOVES),
     Fault("figures have no names but their own", "tmm_report/figures/drawing.py",
           "title = drawing.title or title", "title = drawing.title", "crank_rocker",
           ("tests/page/drawings/test_titles.py",)),

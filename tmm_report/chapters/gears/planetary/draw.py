@@ -21,6 +21,8 @@ from tmm_report.figures.drawing import (
     Circle,
     Drawing,
     Item,
+    Moves,
+    Moving,
     Path,
     Tag,
     dot,
@@ -36,7 +38,9 @@ HUB = 1.4  # radius of a shaft, mm of paper
 def front(found: Found, title: str) -> Drawing:
     """The stage from the front at its scale."""
     view = _Front(found)
-    return Drawing(tuple(view.items()), title).labelled(tuple(view.tags()))
+    items = tuple(view.items())
+    moves = Moves(tuple(view.moving()), items, bare=True)
+    return Drawing(items, title, moves=moves).labelled(tuple(view.tags()))
 
 
 class _Front:
@@ -74,6 +78,24 @@ class _Front:
         yield Circle(0j, self.radius("working", wheel), AXIS)
         if self._held(wheel):
             yield _hatched(rim)
+
+    def moving(self) -> Iterator[Moving]:
+        """The members as they turn, each wheel with a spoke that shows it."""
+        names, crowns = self.found.given.names, self.found.given.crowns
+        carrier = names[-1]
+        yield Moving(tuple(self._axes()))
+        for row, wheel, name in ((0, 0, names[0]), (1, 3, names[-2])):
+            ring = self.found.scheme.rows[row] == INTERNAL
+            edge = self.radius("root" if ring else "working", wheel)
+            spoke = Path(((complex(0, 0.86 * edge), complex(0, edge)),), THICK)
+            own = self._ring(row, wheel) if ring else self._wheel(0j, wheel)
+            yield Moving((*own, spoke), of=name)
+        for centre in self.centres:
+            for crown, name in zip(self.crowns, crowns, strict=False):
+                out = centre + self.radius("working", crown)
+                spoke = Path(((centre, out),), THIN)
+                yield Moving((*self._wheel(centre, crown), spoke), centre, name, about=carrier)
+        yield Moving(tuple(self._carrier()), of=carrier)
 
     def _held(self, wheel: int) -> bool:
         names = {0: self.found.given.names[0], 3: self.found.given.names[-2]}

@@ -20,6 +20,8 @@ from tmm_report.figures.drawing import (
     Circle,
     Drawing,
     Item,
+    Moves,
+    Moving,
     Pen,
     Tag,
     dot,
@@ -59,14 +61,62 @@ def finest(size: float, drawn: Callable[[float], Iterable[Item]], room: tuple[fl
 
 def drawing(found: CamFound, mu: float) -> Drawing:
     """At the scale of `mu` m/mm."""
-    return Drawing(tuple(_items(found, mu))).labelled([*_letters(found, mu), *_numbers(found, mu)])
+    items = tuple(_items(found, mu))
+    return Drawing(items, moves=moves(found, mu, items)).labelled(
+        [*_letters(found, mu), *_numbers(found, mu)]
+    )
 
 
 def _turned(found: CamFound) -> complex:
     return cmath.rect(1.0, float(found.phi(0.0)))
 
 
-def _items(found: CamFound, mu: float) -> Iterator[Item]:
+def moves(found: CamFound, mu: float, still: tuple[Item, ...]) -> Moves:
+    """In place of what is drawn of a cam at rest."""
+    return Moves(tuple(_moving(found, mu)), still, bare=True)
+
+
+def _moving(found: CamFound, mu: float) -> Iterator[Moving]:
+    """The cam as it turns from its position 0, and the follower upon it, in the positions of the diagram."""
+    phi = found.phi(found.diagram.turned)
+    at = tuple(float(x) for x in found.diagram.turned)
+    turns = np.real(phi - found.phi(0.0))
+    yield Moving(tuple(_body(found, mu)), at=at, turns=tuple(map(float, turns)))
+    _, b = found.cam.moved(phi)
+    start = found.cam.moved(found.phi(0.0))[1]
+    end, place = _end(found, mu), complex(start.z) / mu
+    rest = [*marks.support(0j), *marks.joint(0j)]
+    if found.slides:
+        along = complex(getattr(found.cam.motion, "along", 1j))
+        ways = np.asarray(b.z - start.z) / mu
+        rod = line(place, place + 14 * along, THICK)
+        yield Moving((rod, *end), at=at, ways=tuple(map(complex, ways)))
+        foot = complex(getattr(found.cam.motion, "foot", 0j)) / mu
+        rest.append(line(foot, place + 16 * along, AXIS))
+    else:
+        pivot = found.pivot / mu
+        swung = np.unwrap(np.angle((b.z - found.pivot) / (start.z - found.pivot)))
+        yield Moving((line(place, pivot, THICK), *end), pivot, at=at, turns=tuple(map(float, swung)))
+        rest += [*marks.support(pivot), *marks.joint(pivot)]
+    yield Moving(tuple(rest))
+
+
+def _end(found: CamFound, mu: float) -> list[Item]:
+    """The follower's end in position 0."""
+    _, b = found.cam.moved(found.phi(0.0))
+    at = complex(b.z) / mu
+    if found.cam.flat:
+        normal = complex(found.cam.touched(*found.cam.moved(found.phi(0.0))).normal)
+        return [line(at - FACE * 1j * normal, at + FACE * 1j * normal, NORMAL)]
+    return (
+        [Circle(at, found.cam.roller / mu, NORMAL, "white"), dot(at, 0.5)]
+        if found.cam.roller
+        else [dot(at, 0.5)]
+    )
+
+
+def _body(found: CamFound, mu: float) -> Iterator[Item]:
+    """The cam in position 0."""
     cam, back = found.cam, _turned(found)
     phi = np.linspace(0.0, 2 * np.pi, FINE)
     profile = [complex(z) for z in cam.profile(phi) * back / mu]
@@ -74,11 +124,15 @@ def _items(found: CamFound, mu: float) -> Iterator[Item]:
     yield Circle(0j, cam.base / mu, DASHED)
     if cam.roller:
         yield polyline([complex(z) for z in cam.pitch(phi) * back / mu], PITCH)
+
+
+def _items(found: CamFound, mu: float) -> Iterator[Item]:
+    yield from _body(found, mu)
     yield from _ends(found, mu)
     yield from _follower(found, mu)
     yield from marks.support(0j)
     yield from marks.joint(0j)
-    yield from marks.turning(0j, 0.55 * cam.base / mu, 0.3, found.sense * 1.2)
+    yield from marks.turning(0j, 0.55 * found.cam.base / mu, 0.3, found.sense * 1.2)
 
 
 def _places(found: CamFound) -> list[tuple[int, complex, complex]]:

@@ -48,7 +48,9 @@ def scale(made: Making, room: tuple[float, float] = ROOM) -> float:
 
 def drawing(made: Making, mu: float) -> Drawing:
     """At the scale of `mu` m/mm."""
-    return Drawing(tuple(_items(made, mu))).labelled([*_letters(made.found, mu), *_numbers(made.found, mu)])
+    items = tuple(_items(made, mu))
+    moves = profile.moves(made.found, mu, items)
+    return Drawing(items, moves=moves).labelled([*_letters(made.found, mu), *_numbers(made.found, mu)])
 
 
 def shown(found: CamFound) -> list[int]:

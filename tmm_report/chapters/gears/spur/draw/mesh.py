@@ -14,6 +14,7 @@ from tmm_report.chapters.gears.spur.draw.action import (
     pressure_angle,
 )
 from tmm_report.chapters.gears.spur.draw.sheet import FAR, Num, Sheet, between, circles, teeth
+from tmm_report.chapters.gears.spur.draw.sheet import turning as moving
 from tmm_report.chapters.gears.spur.solve.mesh import Mesh
 from tmm_report.figures.dimensions import arc_span, span
 from tmm_report.figures.drawing import DASHED, NORMAL, THIN, Arc, Drawing, Pen, line, polyline
@@ -36,7 +37,7 @@ def mesh_drawing(mesh: Mesh, names: tuple[str, str], num: Num, title: str = "") 
     clearance(sheet)
     line_of_action(sheet)
     pressure_angle(sheet)
-    return Drawing(tuple(sheet.items), title).labelled(sheet.tags)
+    return Drawing(tuple(sheet.items), title, moves=moving(sheet)).labelled(sheet.tags)
 
 
 def _contact_arc(sheet: Sheet, i: int) -> None:

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from tmm_report.chapters.gears.spur.draw.action import centres, line_of_action
-from tmm_report.chapters.gears.spur.draw.sheet import ACTIVE, Num, Sheet, circles, teeth
+from tmm_report.chapters.gears.spur.draw.sheet import ACTIVE, Num, Sheet, circles, teeth, turning
 from tmm_report.chapters.gears.spur.solve.mesh import Mesh
 from tmm_report.chapters.gears.spur.solve.phase import Phase
 from tmm_report.figures.drawing import DASHED, Arc, Drawing, dot
@@ -27,7 +27,7 @@ def phase_drawing(mesh: Mesh, phase: Phase, names: tuple[str, str], num: Num, ti
     for i in (0, 1):
         _conjugate(sheet, i, float(phase.radii[i][-1]), at["T"])
     line_of_action(sheet, at)
-    return Drawing(tuple(sheet.items), title).labelled(sheet.tags)
+    return Drawing(tuple(sheet.items), title, moves=turning(sheet)).labelled(sheet.tags)
 
 
 def _touches(mesh: Mesh, i: int, ways: dict[str, float], tooth: int) -> bool:

@@ -15,7 +15,7 @@ import numpy as np
 
 from tmm_report.chapters.gears.spur.solve.mesh import Mesh
 from tmm_report.figures.dimensions import spread
-from tmm_report.figures.drawing import AXIS, THIN, Arc, Item, Pen, Tag, Text, polyline
+from tmm_report.figures.drawing import AXIS, THIN, Arc, Item, Moves, Moving, Pen, Tag, Text, polyline
 from tmm_report.figures.lettering import Parts, Symbol
 from tmm_report.records import dataclass
 
@@ -43,6 +43,7 @@ class Sheet:
     drawn: tuple[int, int] = (-1, 1)
     items: list[Item] = field(default_factory=list)
     tags: list[Tag] = field(default_factory=list)
+    teeth: list[Item] = field(default_factory=list)  # those of the items that are teeth
 
     @property
     def half_width(self) -> float:
@@ -119,11 +120,36 @@ def teeth(sheet: Sheet, i: int) -> None:
     outline, count = mesh.outline(i, sheet.way), len(wheel.outline) // wheel.z
     first, last = sheet.drawn
     drawn = np.take(outline, range(first * count, (last + 1) * count + 1), mode="wrap")
-    sheet.items.append(polyline(map(complex, _seen(drawn, sheet.half_width)), TEETH))
+    items: list[Item] = [polyline(map(complex, _seen(drawn, sheet.half_width)), TEETH)]
     for tooth in range(first, last + 1):
-        flank = mesh.flank(i, between(*_active_radii(mesh, i)), sheet.way, tooth)
+        flank = _active(sheet, i, tooth)
         if np.abs(flank.real).max() <= sheet.half_width:
-            sheet.items.append(polyline(map(complex, flank), ACTIVE[i]))
+            items.append(polyline(map(complex, flank), ACTIVE[i]))
+    sheet.items += items
+    sheet.teeth += items
+
+
+def turning(sheet: Sheet) -> Moves:
+    """One tooth of either wheel, which stands for all as the pair turns."""
+    mesh, parts = sheet.mesh, []
+    for i, wheel in enumerate(mesh.wheels):
+        count = len(wheel.outline) // wheel.z
+        outline = np.take(mesh.outline(i, sheet.way), range(count + 1), mode="wrap")
+        tooth = (
+            polyline(map(complex, outline), TEETH),
+            polyline(map(complex, _active(sheet, i, 0)), ACTIVE[i]),
+        )
+        sense = mesh.sense * (1 if i == mesh.small or mesh.pair.internal else -1)
+        parts.append(
+            Moving(
+                tooth, mesh.centre(i), sheet.names[i], sense, pitch=wheel.pitch_angle, half=sheet.half_width
+            )
+        )
+    return Moves(tuple(parts), tuple(sheet.teeth))
+
+
+def _active(sheet: Sheet, i: int, tooth: int) -> Array:
+    return sheet.mesh.flank(i, between(*_active_radii(sheet.mesh, i)), sheet.way, tooth)
 
 
 def _seen(outline: Array, half_width: float) -> Array:

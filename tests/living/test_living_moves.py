@@ -1,0 +1,187 @@
+"""Gears and cams that move: wheels roll upon one another without sliding, teeth do not cut into one another, and the
+cam stays under its follower."""
+
+from __future__ import annotations
+
+import base64
+import math
+import re
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import solved
+from test_living_data import data, page
+from test_living_page import opened, run
+
+from tmm_report.results import tables
+
+
+def moves(name: str) -> dict[str, Any]:
+    return data(name)["moves"]
+
+
+def meshes(name: str) -> list[dict[str, Any]]:
+    return [one for one in moves(name).values() if all("pitch" in part for part in one["parts"])]
+
+
+@pytest.mark.parametrize("name", ["hoist_drive", "compressor", "shaper_project"])
+def test_a_pair_in_mesh_rolls_tooth_by_tooth(name):
+    """Pitches go by as fast on one wheel as on the other, in opposite senses where both have their teeth outside."""
+    assert meshes(name)
+    for mesh in meshes(name):
+        one, other = mesh["parts"]
+        assert one["rate"] / one["pitch"] == pytest.approx(-other["rate"] / other["pitch"], rel=1e-9)
+        apart = math.dist(one["centre"], other["centre"])
+        assert apart * other["pitch"] / (one["pitch"] + other["pitch"]) == pytest.approx(
+            math.hypot(*one["centre"]), rel=1e-3
+        )
+
+
+@pytest.mark.parametrize("name", ["hoist_drive", "compressor"])
+def test_a_planetary_stage_rolls_without_sliding(name):
+    """Where a satellite touches a central wheel both have one velocity: from the radii that are drawn."""
+    stage = next(one for one in moves(name).values() if any("about" in part for part in one["parts"]))
+    by_radius = [(part, drawn_radius(part)) for part in stage["parts"] if "pitch" not in part]
+    satellites = [(part, r) for part, r in by_radius if "about" in part]
+    central = [(part, r) for part, r in by_radius if "about" not in part and r is not None]
+    checked = 0
+    for part, radius in satellites:
+        arm = math.hypot(*part["centre"])
+        for wheel, own in central:
+            outside = abs(arm - radius - own) < 0.02 * arm
+            inside = abs(arm + radius - own) < 0.02 * arm
+            if radius and (outside or inside):
+                reach = arm + (radius if inside else -radius)
+                point = part["about"] * arm + part["rate"] * (reach - arm)
+                assert point == pytest.approx(wheel["rate"] * reach, rel=2e-2, abs=2e-3), (
+                    part["rate"],
+                    wheel["rate"],
+                )
+                checked += 1
+    assert checked >= 4
+
+
+def drawn_radius(part: dict[str, Any]) -> float | None:
+    """Of the working circle, which has dots and dashes; None of a part without one."""
+    circles = [c for c in re.findall(r"<circle[^>]*>", part["svg"]) if "stroke-dasharray" in c]
+    return float(re.search(r' r="([\d.]+)"', circles[0])[1]) if circles else None
+
+
+def test_the_cycle_turns_the_fastest_shaft_once():
+    speeds = next(t for t in tables(solved("hoist_drive")) if t.name == "drive_speeds")
+    omega = dict(zip(speeds["member"].values, speeds["omega"].numbers(), strict=True))
+    rates = sorted({abs(part["rate"]) for one in meshes("hoist_drive") for part in one["parts"]})
+    assert rates == pytest.approx(sorted(abs(omega[name] / omega["1"]) for name in ("1", "2")))
+
+
+def test_a_cam_goes_round_as_its_follower_goes_by_the_table():
+    (cam,) = moves("valve_cam").values()
+    turning, follower, _ = cam["parts"]
+    table = next(t for t in tables(solved("valve_cam")) if t.name == "cam_motion_diagram")
+    lift = table["cam_S"].numbers() / 0.002  # mm at 0.002 m/mm
+    way = np.array(follower["ways"][1], float) + lift[0]
+    assert np.allclose(way, lift, atol=2e-3)
+    assert abs(turning["turns"][-1] - turning["turns"][0]) == pytest.approx(360)
+
+
+SEEN = """
+(async () => {
+  const found = {};
+  for (const anchor of Object.keys(known.moves)) {
+    const figure = document.getElementById(anchor);
+    figure.scrollIntoView();
+    await new Promise(done => setTimeout(done, 300));
+    const still = known.moves[anchor].still.map(k => figure.querySelector('svg > g').children[k]);
+    const shape = () => figure.querySelector('svg').outerHTML;
+    const note = shape();
+    const shown = [];
+    for (const at of %s) {
+      show(at);
+      const parts = [...figure.querySelectorAll('.turning > *')].filter(x => x.style.display !== 'none');
+      shown.push(parts.map(x => {
+        const m = x.transform.baseVal.consolidate()?.matrix;
+        return m ? [m.a, m.b, m.e, m.f] : [1, 0, 0, 0];
+      }));
+    }
+    const hidden = still.every(x => getComputedStyle(x).visibility === 'hidden');
+    const live = figure.querySelector('.turning');
+    dispatchEvent(new Event('beforeprint'));
+    live.remove();
+    const print = shape() === note;
+    dispatchEvent(new Event('afterprint'));
+    show(cycle.at[home]);
+    found[anchor] = {shown, hidden, print, back: shape() === note};
+  }
+  return found;
+})()
+"""
+
+
+@cache
+def seen(name: str) -> dict[str, Any]:
+    with opened(page(name)) as talk:
+        return run(talk, SEEN % [5, 47, 101])
+
+
+@pytest.mark.parametrize("name", ["hoist_drive", "valve_cam"])
+def test_pictures_move_and_come_back(name):
+    assert seen(name).keys() == moves(name).keys()
+    for one in seen(name).values():
+        assert one["hidden"] and one["print"] and one["back"]
+        assert one["shown"][0] != one["shown"][1]
+
+
+def test_the_cam_turns_by_the_angle_that_is_shown():
+    (one,) = seen("valve_cam").values()
+    sense = np.sign(moves("valve_cam")["figure3"]["parts"][0]["turns"][-1])
+    for at, parts in zip((5, 47, 101), one["shown"], strict=True):
+        a, b, *_ = parts[0]
+        assert math.degrees(math.atan2(-b, a)) == pytest.approx(sense * at, abs=0.01)
+
+
+ROLLER = """
+(() => {
+  const circles = [...document.querySelectorAll('.turning > *')[1].querySelectorAll('circle')];
+  const boxes = circles.map(c => c.getBoundingClientRect()).sort((a, b) => b.width - a.width);
+  const { x, y, width, height } = boxes[0];
+  return [x, y, width, height];
+})()
+"""
+
+
+def test_a_cam_keeps_touching_its_follower():
+    """By the pixels: what the roller covers of the cam is its own edge, however the cam has turned."""
+    import io
+
+    from PIL import Image
+
+    with opened(page("valve_cam")) as talk:
+        for at in (30, 70, 200):
+            into = "document.getElementById('figure3').scrollIntoView({block: 'center'});"
+            run(talk, f"{into} new Promise(done => setTimeout(done, 300))")
+            run(talk, f"show({at}); {into} new Promise(done => setTimeout(done, 300))")
+            box = run(talk, ROLLER)
+            shot = talk.ask("Page.captureScreenshot")["data"]
+            image = np.asarray(Image.open(io.BytesIO(base64.b64decode(shot))).convert("RGB"), float)
+            centre, radius = (box[0] + box[2] / 2, box[1] + box[3] / 2), box[2] / 2
+            y, x = np.mgrid[: image.shape[0], : image.shape[1]]
+            away = np.hypot(x - centre[0], y - centre[1])
+            pale = image[..., 2] - image[..., 0] > 10  # the cam's body
+            assert abs(away[pale].min() - radius) < 4, at
+
+
+def test_print_has_nothing_of_what_moves():
+    with opened(page("hoist_drive")) as talk:
+        run(
+            talk,
+            "document.getElementById('figure2').scrollIntoView(); new Promise(done => setTimeout(done, 300))",
+        )
+        run(talk, "show(5)")
+        talk.ask("Emulation.setEmulatedMedia", media="print")
+        found = run(
+            talk,
+            "[getComputedStyle(document.querySelector('.turning')).display, document.body.offsetHeight > 1e3]",
+        )
+    assert found == ["none", True]
