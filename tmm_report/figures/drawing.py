@@ -202,7 +202,7 @@ FONTS = "'Note Serif','Note Math','Times New Roman','Liberation Serif','DejaVu S
 FAR = 1000.0  # mm: TeX knows no length over 5.7 m, and a browser counts in single precision
 
 
-def _near_origin(drawing: Drawing) -> Drawing:
+def near_origin(drawing: Drawing) -> Drawing:
     """A drawing of a mechanism that stands far from its axes' origin, moved to it."""
     left, bottom, right, top = drawing.box
     far = max(abs(left), abs(bottom), abs(right), abs(top)) > FAR
@@ -214,7 +214,7 @@ def svg(drawing: Drawing, turned: bool = False, title: str = "") -> str:
 
     `turned`: by 90° clockwise, as a tall page lies with its binding above; `title`: of one that has none.
     """
-    drawing = _near_origin(drawing)
+    drawing = near_origin(drawing)
     left, bottom, right, top = drawing.box
     wide, tall = written(right - left), written(top - bottom)
     corner = (bottom, left) if turned else (left, -top)
@@ -241,7 +241,7 @@ def svg(drawing: Drawing, turned: bool = False, title: str = "") -> str:
 
 def tikz(drawing: Drawing) -> str:
     """The drawing as a `tikzpicture`; the document loads tikz, amsmath and fonts for its letters."""
-    drawing = _near_origin(drawing)
+    drawing = near_origin(drawing)
     left, bottom, right, top = drawing.box
     corners = tikz_point(complex(left, bottom)), tikz_point(complex(right, top))
     box = rf"\useasboundingbox {corners[0]} rectangle {corners[1]};"

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from functools import cache
+from itertools import accumulate, pairwise
 from xml.etree.ElementTree import Element, fromstring, tostring
 
 from tmm_report.report.paper import measure
@@ -56,18 +57,26 @@ def _sign_of(piece: str) -> re.Match[str] | None:
 
 
 def _lines(pieces: Sequence[str], room: float) -> list[list[str]]:
-    """Pieces line by line: as many as it holds with the sign that is repeated, or up to a relation."""
-    lines, rest = [], list(pieces)
-    while rest:
-        fit = _fitting([_wide(piece) for piece in rest], room)
+    """Pieces line by line."""
+    ends = [0, *accumulate(shared(list(map(_wide, pieces)), list(map(_is_relation, pieces)), room))]
+    return [list(pieces[start:end]) for start, end in pairwise(ends)]
+
+
+def shared(widths: Sequence[float], relations: Sequence[bool], room: float) -> list[int]:
+    """How many pieces go on each line: as many as it holds with the sign that is repeated, or up to a relation.
+    `relations`: whether a piece begins with one."""
+    counts: list[int] = []
+    at = 0
+    while at < len(widths):
+        fit = _fitting(widths[at:], room)
         count = fit
-        if fit < len(rest):
-            relations = [k for k in range(1, fit + 1) if _is_relation(rest[k])]
-            full = [k for k in relations if sum(map(_wide, rest[:k])) >= _FULL * room]
+        if at + fit < len(widths):
+            before = [k for k in range(1, fit + 1) if relations[at + k]]
+            full = [k for k in before if sum(widths[at : at + k]) >= _FULL * room]
             count = full[-1] if full else fit
-        lines.append(rest[:count])
-        del rest[:count]
-    return lines
+        counts.append(count)
+        at += count
+    return counts
 
 
 def _fitting(widths: Sequence[float], room: float) -> int:

@@ -45,8 +45,12 @@ def letters(text: str, face: str = "regular") -> float:
 
 # --- what may stand in a cell of a table ---
 
-_MATH = re.compile(r"(<math.*?</math>|(?<!\\)(?:\$[^$]*\$)+/\*[\d.]+\*/|(?<!\\)\$.*?(?<!\\)\$)", re.S)
-_STATED = re.compile(r"/\*([\d.]+)\*/$")  # behind a formula of Typst
+_MATH = re.compile(
+    r"(<math.*?</math>|(?:<m:oMath>.*?</m:oMath>)+<!--[\d.]+-->"
+    r"|(?<!\\)(?:\$[^$]*\$)+/\*[\d.]+\*/|(?<!\\)\$.*?(?<!\\)\$)",
+    re.S,
+)
+_STATED = re.compile(r"(?:/\*|<!--)([\d.]+)(?:\*/|-->)$")  # behind a formula of Typst and of Office Math
 _TAG = re.compile(r"<wbr/?>|<br/?>|\\allowbreak(?:\{\}| )?|(<[^>]+>)")
 _COMMAND = re.compile(
     r"\\hyperlink\{[^}]*\}|\\hspace\{[^}]*\}|\\([%&#$_{}])|\\[A-Za-z]+ ?|[{}]"
@@ -153,7 +157,7 @@ def breakable(text: str) -> list[str]:
 
 @lru_cache(maxsize=8192)
 def mathematics(text: str) -> float:
-    """Neighbouring formulas, as MathML or as LaTeX between dollar signs; one of Typst says how wide it is."""
+    """Neighbouring formulas, as MathML or as LaTeX between dollar signs; others say how wide they are."""
     if stated := _STATED.search(text):
         return float(stated[1])
     if text.startswith("$"):

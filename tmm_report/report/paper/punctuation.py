@@ -42,7 +42,17 @@ _TYPST = (
     (r"(:\s*#note-where\(\[)WHERE ", r"\1"),
     (r'^#"";\s*$', ""),  # a paragraph whose sentences refer to what is left out
 )
-_RULES = {"html": _HTML, "tex": _TEX, "typst": _TYPST}
+_DOCX = (
+    # the comma stands within the last line of the formula, at its mark
+    (r"<!--tail-->([^\n]*\s*)(?=<!--formula-->|<!--where-->[^\n]*?>WHERE )",
+     r"<m:r><m:rPr><m:nor/></m:rPr><m:t>,</m:t></m:r>\1"),
+    (r"(?<=-->)<!--said-->([^\n]*\s*)(?=<!--formula-->|<!--where-->[^\n]*?>WHERE )", r",\1"),
+    (r"(</m:oMath>(?:<!--[\d.]+-->)?)\.(</w:p>\s*<!--where-->[^\n]*?>WHERE )", r"\1,\2"),
+    (r"(\.</w:p>\s*<!--where-->[^\n]*?>)WHERE ", r"\1HERE "),
+    (r"(<!--/table-->\s*<!--where-->[^\n]*?>)WHERE ", r"\1HERE "),
+    (r"(:</w:p>\s*<!--where-->[^\n]*?>)WHERE ", r"\1"),
+)  # fmt: skip
+_RULES = {"html": _HTML, "tex": _TEX, "typst": _TYPST, "docx": _DOCX}
 
 
 def joined(text: str, fmt: str, where: str, here: str, dash: str) -> str:
@@ -64,6 +74,8 @@ def _dashed(text: str, fmt: str, dash: str) -> str:
         return "".join(part if k % 2 else _put(part, dash) for k, part in enumerate(_PICTURE.split(text)))
     if fmt == "typst":
         return "".join(part if k % 2 else _put(part, dash) for k, part in enumerate(_DRAWN.split(text)))
+    if fmt == "docx":
+        return _put(text, dash)
     before, begin, body = text.partition("\\begin{document}")
     body = re.sub(r"(?<=\s)--(?=\s)", {"—": "---", "–": "--"}[dash], body)
     return before + begin + _put(body, dash)
