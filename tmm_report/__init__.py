@@ -101,7 +101,7 @@ def _together(variants: Sequence[Variant]) -> Iterator[Results | ProblemError]:
 
 def render(
     results: Results,
-    fmt: Literal["html", "tex", "json", "csv", "png", "dxf", "sheets"] = "html",
+    fmt: Literal["html", "tex", "json", "csv", "png", "dxf", "sheets", "docx"] = "html",
     language: str | None = None,
     depth: Literal["short", "course", "full"] | None = None,
 ) -> dict[str, bytes]:

@@ -87,7 +87,7 @@ def solve(
         str | None,
         typer.Option(
             "--format",
-            help="Any of html,tex,json,csv,png,dxf,sheets, joined by commas; by default html,tex, watched html alone.",
+            help="Any of html,tex,docx,json,csv,png,dxf,sheets, by commas; by default html,tex, watched html alone.",
             show_default=False,
         ),
     ] = None,
@@ -329,7 +329,7 @@ def batch(
         typer.Option("--table", help="CSV or XLSX: a variant a row, made from the template."),
     ] = None,
     formats: Annotated[
-        str, typer.Option("--format", help="Any of html,tex,json,csv,png,dxf,sheets, joined by commas.")
+        str, typer.Option("--format", help="Any of html,tex,docx,json,csv,png,dxf,sheets, joined by commas.")
     ] = "html,json",
     jobs: Jobs = None,
     resume: Annotated[bool, typer.Option("--resume", help="Go on with a run that was stopped.")] = False,

@@ -44,6 +44,7 @@ from plants import note as faults_depth  # noqa: E402
 from plants import paper as faults_paper  # noqa: E402
 from plants import stages as faults_stages  # noqa: E402
 from plants import typst as faults_typst  # noqa: E402
+from plants import word as faults_word  # noqa: E402
 
 FAULTS = (
     *faults.FAULTS,
@@ -59,6 +60,7 @@ FAULTS = (
     *faults_gears.FAULTS,
     *faults_stages.FAULTS,
     *faults_typst.FAULTS,
+    *faults_word.FAULTS,
     *faults_edges.FAULTS,
     *faults_cures.FAULTS,
     *faults_methods.FAULTS,

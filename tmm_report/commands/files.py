@@ -14,7 +14,7 @@ from tmm_report.course import Depth, Results, Variant
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_
 
-FORMATS = ("html", "tex", "json", "csv", "png", "dxf", "sheets")
+FORMATS = ("html", "tex", "json", "csv", "png", "dxf", "sheets", "docx")
 PICTURED = 26  # positions of plans and force plans whose pictures are made: 13 of each
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from base64 import b64encode
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from datetime import date
 from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
@@ -35,11 +36,18 @@ def _typst() -> Format:
     return Typst()
 
 
+def _docx() -> Format:
+    from tmm_report.report.formats.docx import Docx
+
+    return Docx()
+
+
 FORMATS: dict[str, Callable[[], Format]] = {
     "html": lambda: Html(breaking=True),
     "tex": Tex,
     "png": Png,
     "typst": _typst,
+    "docx": _docx,
 }
 
 
@@ -55,8 +63,8 @@ def render(
     template_of: tuple[bytes, str] | None = None,
     living: Callable[[str, Page], str] | None = None,
 ) -> dict[str, bytes]:
-    """File name -> content: "note.html" or "note.typst" alone, "note.tex" with the figures it reads, or the figures as
-    pictures.
+    """File name -> content: "note.html", "note.docx" or "note.typst" alone, "note.tex" with the figures it reads, or
+    the figures as pictures.
 
     `undone`: what was asked and is not in the note; the conclusions begin with it. `note`: how much it says;
     `profile`: how it looks on paper; `assignment`: its sheet, as its template knows it;
@@ -70,7 +78,17 @@ def render(
     text = _written(given, parts, page, undone, own)
     if living is not None and fmt == "html":
         text = living(text, page)
+    if fmt == "docx":
+        return {"note.docx": _packed(text, given, page)}
     return page.form.files if fmt == "png" else {f"note.{fmt}": text.encode(), **page.form.files}
+
+
+def _packed(text: str, given: Mapping[str, Any], page: Page) -> bytes:
+    from tmm_report.report.formats.docx import Docx
+    from tmm_report.report.word.package import packed
+
+    assert isinstance(page.form, Docx)
+    return packed(text, page.form, given, _date(given))
 
 
 def written(
@@ -158,15 +176,20 @@ FACES = (
 )
 
 
+def _date(given: Mapping[str, Any]) -> date:
+    """Of the document: that of the assignment."""
+    from tmm_report.report.dates import dated
+
+    title, sheet = given["title"], given["assignment"]
+    texts = [sheet.issued, sheet.due] if sheet else []
+    return dated(*map(given["page"].name, [*texts, title.year]))
+
+
 def _own_files(given: Mapping[str, Any], page: Page) -> dict[str, Any]:
     """What the HTML carries in itself: its style sheet and the faces of its text and formulas, with which it is the
     same on every machine; what a PDF must have: a date, that of the assignment."""
     if page.form.name == "typst":
-        from tmm_report.report.formats.typst import dated
-
-        title, sheet = given["title"], given["assignment"]
-        texts = [sheet.issued, sheet.due] if sheet else []
-        return {"date": dated(*map(page.name, [*texts, title.year]))}
+        return {"date": _date(given)}
     if page.form.name != "html":
         return {}
     root = data_root() / "templates"

@@ -205,9 +205,10 @@ class Png(Tex):
 
 
 if TYPE_CHECKING:
+    from tmm_report.report.formats.docx import Docx
     from tmm_report.report.formats.typst import Typst
 
-Format: TypeAlias = "Html | Tex | Typst"
+Format: TypeAlias = "Html | Tex | Typst | Docx"
 
 
 def drawing_of(picture: Drawing | Graph) -> Drawing:

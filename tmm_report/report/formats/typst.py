@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import field
-from datetime import date
 from functools import cache, lru_cache
 
 from markupsafe import Markup
@@ -27,7 +26,6 @@ from tmm_report.report.paper.measure import breakable, known_letters
 from tmm_report.report.paper.rows import GAP, Row
 
 BREAK = "\N{ZERO WIDTH SPACE}"
-UNDATED = date(2000, 1, 1)
 
 
 @dataclass
@@ -137,27 +135,3 @@ def _shown(sign: str) -> str:
 
 def _printable(text: str) -> str:
     return "".join(map(_shown, text))
-
-
-# --- the date of the document ---
-
-_DATES = (
-    re.compile(r"(?P<d>\d{1,2})[./](?P<m>\d{1,2})[./](?P<y>\d{4})"),
-    re.compile(r"(?P<y>\d{4})-(?P<m>\d{2})-(?P<d>\d{2})"),
-    re.compile(r"(?<!\d)(?P<y>\d{4})(?!\d)"),
-)
-
-
-def dated(*texts: str) -> date:
-    """The first date that is stated, or year; a PDF/A has one, and the clock is none: the same note, the same bytes."""
-    for text in texts:
-        for pattern in _DATES:
-            found = pattern.search(text)
-            if found is None:
-                continue
-            parts = {"m": "1", "d": "1", **found.groupdict()}
-            try:
-                return date(int(parts["y"]), int(parts["m"]), int(parts["d"]))
-            except ValueError:
-                continue
-    return UNDATED
