@@ -12,7 +12,7 @@ from functools import cache, cached_property
 from pathlib import Path
 from typing import Literal, NamedTuple, get_args
 
-from tmm_report.languages import FALLBACK, SIGNS, DecimalSign, language, spoken
+from tmm_report.languages import FALLBACK, SIGNS, DecimalSign, collation, language, spoken
 from tmm_report.resources import data_root
 
 Domain = Literal["note", "messages"]
@@ -44,9 +44,18 @@ class Translator(NamedTuple):
         return language(self.language).babel_options
 
     @property
+    def babel_provided(self) -> str:
+        """The line by which babel takes a language from its locale file; "" where it has one of its own."""
+        return language(self.language).babel_provided
+
+    @property
     def letters(self) -> str:
         """Of appendices."""
         return language(self.language).letters
+
+    def collation(self, text: str) -> tuple[int, ...]:
+        """By what words are put into their order."""
+        return collation(self.language, text)
 
     @property
     def cited(self) -> str:

@@ -24,9 +24,11 @@ class Language:
 
     `code`: ISO 639-1, that of --lang, of the key `language` and of HTML. `babel`: its name in LaTeX, `beside`: the
     language whose words a note has beside its own. `ids`: its texts are the message ids, without a catalogue.
-    `messages`: the command line speaks it, too; else it speaks the user's language or FALLBACK.
-    `letters`: of appendices, in their order (GOST 7.32: without those that are taken for digits or for others);
-    `cited`: between sources that are cited together (GOST R 7.0.5: a semicolon).
+    `messages`: the command line speaks it, too; else it speaks the user's language or FALLBACK. `provided`: babel has
+    it as a locale file alone, and the words of the note are not hyphenated. `alphabet`: its small letters in their
+    order, where they are not Latin; `plurals`: gettext's rule, where Babel's is not meant. `letters`: of appendices, in
+    their order (GOST 7.32: without those that are taken for digits or for others); `cited`: between sources that are
+    cited together (GOST R 7.0.5: a semicolon).
     """
 
     code: str
@@ -36,22 +38,39 @@ class Language:
     beside: str = "english"
     ids: bool = False
     messages: bool = True
+    provided: bool = False
+    alphabet: str = ""
+    plurals: str = ""
     letters: str = "ABCDEFGHJKLMNPQRSTUVWXYZ"
     cited: str = ", "
 
     @property
     def babel_options(self) -> str:
-        return f"{self.beside},main={self.babel}"
+        return self.beside if self.provided else f"{self.beside},main={self.babel}"
+
+    @property
+    def babel_provided(self) -> str:
+        options = "import,main,hyphenrules=nohyphenation"
+        return f"\\babelprovide[{options}]{{{self.babel}}}" if self.provided else ""
 
 
 LANGUAGES = {
     row.code: row
     for row in (
-        Language("ru", "русский", "comma", babel="russian", letters="АБВГДЕЖИКЛМНПРСТУФХЦШЩЭЮЯ", cited="; "),
+        Language(
+            "ru",
+            "русский",
+            "comma",
+            babel="russian",
+            letters="АБВГДЕЖИКЛМНПРСТУФХЦШЩЭЮЯ",
+            cited="; ",
+            alphabet="абвгдеёжзийклмнопрстуфхцчшщъыьэюя",
+        ),
         Language("en", "English", "point", babel="english", beside="russian", ids=True),
     )
 }
 _STATED = re.compile(r"""^[\ufeff{ ]*["']?language["']?[ ]*:[ ]*["']?(\w+)""", re.M)
+LATIN = "abcdefghijklmnopqrstuvwxyz"
 DEFAULT = "ru"  # of a variant that states none
 FALLBACK = "en"  # of messages, where the user's language is not among ours
 
@@ -63,6 +82,14 @@ def language(code: str) -> Language:
     wrong = Message(N_("there is no language %(code)s"), {"code": shown(code) or "''"})
     right = Message(N_("known: %(words)s"), {"words": ", ".join(LANGUAGES)})
     raise ProblemError([Problem(wrong, right)])
+
+
+def collation(code: str, text: str) -> tuple[int, ...]:
+    """By what words of a language are put into their order: Latin letters first, then its own, then all others."""
+    letters = LATIN + language(code).alphabet
+    return tuple(
+        letters.index(char) if char in letters else len(letters) + ord(char) for char in text.lower()
+    )
 
 
 def stated_in(text: str | bytes) -> str:

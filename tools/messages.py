@@ -67,7 +67,7 @@ def domain_of(entry: Message) -> Domain:
 
 
 def _empty(language: str) -> Catalog:
-    return Catalog(
+    found = Catalog(
         locale=language,
         header_comment="# Written by tools/messages.py; translations may be edited here.",
         project="tmm-report",
@@ -80,6 +80,9 @@ def _empty(language: str) -> Catalog:
         revision_date=UNDATED,
         fuzzy=False,
     )
+    if rule := LANGUAGES[language].plurals:  # Babel would have it otherwise
+        found.mime_headers = [("Plural-Forms", rule)]
+    return found
 
 
 def messages(catalogue: Catalog) -> list[Message]:
@@ -112,23 +115,23 @@ def misnamed(catalogue: Catalog, terms: dict[str, list[str]]) -> list[str]:
         named = re.compile(rf"\b{re.escape(term)}\b", re.I)
         texts = [entry for entry, words in worded if named.search(words)]
         wrong += [
-            f"{term!r} is not called {' or '.join(names)}: {_forms(entry.string)[0]!r}"
+            f"{term!r} is not called {' or '.join(names)}: {as_forms(entry.string)[0]!r}"
             for entry in texts
             if _filled(entry)
-            and not any(_called(name, form) for name in [*names, term] for form in _forms(entry.string))
+            and not any(_called(name, form) for name in [*names, term] for form in as_forms(entry.string))
         ]
         wrong += [] if texts else [f"{term!r} is in no text"]
     return wrong
 
 
-def _forms(text: str | tuple[str, ...] | list[str]) -> list[str]:
+def as_forms(text: str | tuple[str, ...] | list[str]) -> list[str]:
     """The forms of a text that depends on a number, or the only one."""
     return [text] if isinstance(text, str) else list(text)
 
 
 def _words(text: str | tuple[str, ...]) -> str:
     """What an id says, a line a form: the names of its values are not words."""
-    return "\n".join(VALUES.sub("", form) for form in _forms(text))
+    return "\n".join(VALUES.sub("", form) for form in as_forms(text))
 
 
 def _called(name: str, text: str) -> bool:

@@ -13,6 +13,8 @@ from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
+from tmm_report.figures.lettering import lettered
+from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import X_PART, Y_PART
 from tmm_report.quantity.symbols import GREEK, Symbol
@@ -82,10 +84,10 @@ class SymbolList:
                 continue
             (one,) = said
             groups.setdefault((sign.base, *_kind(one.meaning, page), one.unit), []).append(one)
-        ordered = [sorted(group, key=lambda one: _order(one.sign)) for group in groups.values()]
+        ordered = [sorted(group, key=lambda one: _order(one.sign, page.tr)) for group in groups.values()]
         lines = [(group[0].sign, _line(group, page)) for group in ordered]
         lines += [(sign, _apart(said, page)) for sign, said in twice.items()]
-        return [line for _, line in sorted(lines, key=lambda one: _order(one[0]))]
+        return [line for _, line in sorted(lines, key=lambda one: _order(one[0], page.tr))]
 
 
 def thing(meaning: Message | Markup) -> Message | Markup:
@@ -116,11 +118,12 @@ def _apart(said: Sequence[Meant], page: Any) -> Line:
     return Line(page.sym(said[0].sign), page.listed(texts, "; "), "")
 
 
-def _order(sign: Symbol) -> tuple[bool, str, str, str, list[str | int], str]:
-    """As in an index: m_2 before m_10."""
+def _order(sign: Symbol, tr: Translator) -> tuple[bool, str, str, str, list[tuple[int, ...] | int], str]:
+    """As in an index: m_2 before m_10, words of indices as they are printed by the alphabet of the note's language."""
     letter = sign.base.rstrip("'′″‴")
     plain = unicodedata.normalize("NFKD", GREEK.get(letter, letter))
-    index = [int(one) if one.isdecimal() else one for one in re.split(r"(\d+)", sign.sub)]
+    printed = re.split(r"(\d+)", lettered(sign, tr.in_index).sub)
+    index = [int(one) if one.isdecimal() else tr.collation(one) for one in printed]
     return (not plain[:1].isascii(), plain.lower(), plain, sign.base, index, sign.sup)
 
 
