@@ -26,6 +26,7 @@ from tmm_report.mechanics.lever.mechanism import Mechanism
 from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.profiles import Profile
 from tmm_report.records import dataclass
+from tmm_report.wording.terms import Rewording
 from tmm_report.yamlread import Document
 
 if TYPE_CHECKING:
@@ -160,6 +161,7 @@ class Variant:
     profile: Profile | None = None  # how the note looks on paper; None: as the standard has it
     language: str = DEFAULT  # a code of the table of languages
     decimal_sign: DecimalSign = "comma"
+    words: Rewording | None = None  # the department's own, in place of the language's
     places: Mapping[tuple[str | int, ...], tuple[int, int]] = field(default_factory=dict, repr=False)
     """Where each key of the file stands: path -> (line, column), for mistakes found only in solving."""
     file: str = ""

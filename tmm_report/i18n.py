@@ -10,7 +10,7 @@ from __future__ import annotations
 import gettext
 from functools import cache, cached_property
 from pathlib import Path
-from typing import Literal, NamedTuple, get_args
+from typing import Literal, NamedTuple, Protocol, get_args
 
 from tmm_report.languages import FALLBACK, SIGNS, DecimalSign, collation, language, spoken
 from tmm_report.resources import data_root
@@ -24,8 +24,13 @@ def NP_(context: str, text: str) -> str:
     return text
 
 
+class Words(Protocol):
+    def __call__(self, text: str, /) -> str: ...
+
+
 class Translator(NamedTuple):
-    """`language`: a code of `languages`; `decimal_sign`: left out, it follows the language.
+    """`language`: a code of `languages`; `decimal_sign`: left out, it follows the language; `words`: puts the own words
+    of a department into a text, hashable as the rest.
 
     Hashable, so that printed symbols and units can be cached by it. Raises ProblemError, on the first use, for a
     language that there is not.
@@ -33,6 +38,7 @@ class Translator(NamedTuple):
 
     language: str = FALLBACK
     decimal_sign: DecimalSign | None = None
+    words: Words | None = None
 
     @property
     def decimal(self) -> str:
@@ -45,7 +51,7 @@ class Translator(NamedTuple):
 
     @property
     def babel_provided(self) -> str:
-        """The line by which babel takes a language from its locale file; "" where it has one of its own."""
+        """The name of a language that babel takes from its locale file; "" where it has one of its own."""
         return language(self.language).babel_provided
 
     @property
@@ -63,7 +69,8 @@ class Translator(NamedTuple):
         return language(self.language).cited
 
     def gettext(self, text: str) -> str:
-        return catalogue(self.language).gettext(text) if text else ""
+        found = catalogue(self.language).gettext(text) if text else ""
+        return self.words(found) if self.words is not None else found
 
     def pgettext(self, context: str, text: str) -> str:
         return catalogue(self.language).pgettext(context, text)
@@ -73,7 +80,8 @@ class Translator(NamedTuple):
         return self.pgettext("index", word)
 
     def ngettext(self, one: str, many: str, count: int) -> str:
-        return catalogue(self.language).ngettext(one, many, count)
+        found = catalogue(self.language).ngettext(one, many, count)
+        return self.words(found) if self.words is not None else found
 
 
 def said(code: str, text: str) -> str:

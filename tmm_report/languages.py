@@ -26,9 +26,9 @@ class Language:
     language whose words a note has beside its own. `ids`: its texts are the message ids, without a catalogue.
     `messages`: the command line speaks it, too; else it speaks the user's language or FALLBACK. `provided`: babel has
     it as a locale file alone, and the words of the note are not hyphenated. `alphabet`: its small letters in their
-    order, where they are not Latin; `plurals`: gettext's rule, where Babel's is not meant. `letters`: of appendices, in
-    their order (GOST 7.32: without those that are taken for digits or for others); `cited`: between sources that are
-    cited together (GOST R 7.0.5: a semicolon).
+    order, where they are not Latin; `plurals`: gettext's rule, where Babel's is not meant. `profile`: how its
+    notes look, unless a variant says. `letters`: of appendices, in their order (GOST 7.32: without those that are taken
+    for digits or for others); `cited`: between sources that are cited together (GOST R 7.0.5: a semicolon).
     """
 
     code: str
@@ -39,6 +39,7 @@ class Language:
     ids: bool = False
     messages: bool = True
     provided: bool = False
+    profile: str = "gost"
     alphabet: str = ""
     plurals: str = ""
     letters: str = "ABCDEFGHJKLMNPQRSTUVWXYZ"
@@ -50,8 +51,7 @@ class Language:
 
     @property
     def babel_provided(self) -> str:
-        options = "import,main,hyphenrules=nohyphenation"
-        return f"\\babelprovide[{options}]{{{self.babel}}}" if self.provided else ""
+        return self.babel if self.provided else ""
 
 
 LANGUAGES = {

@@ -12,7 +12,7 @@ from functools import cache
 from typing import Any, Literal, get_args
 
 from tmm_report import yamlread
-from tmm_report.languages import FALLBACK
+from tmm_report.languages import FALLBACK, LANGUAGES
 from tmm_report.quantity import units
 from tmm_report.records import dataclass
 from tmm_report.resources import data_root
@@ -155,6 +155,11 @@ def stated(base: str, otherwise: Mapping[str, Any]) -> Profile:
 @cache
 def shipped(name: str = DEFAULT) -> Profile:
     return _record(data(name))
+
+
+def usual(code: str) -> str:
+    """The name of the profile that goes with a language."""
+    return LANGUAGES[code].profile if code in LANGUAGES else DEFAULT
 
 
 def merged(under: Mapping[str, Any], over: Mapping[str, Any]) -> dict[str, Any]:

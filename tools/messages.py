@@ -146,6 +146,9 @@ def write(language: str, of: Domain, catalogue: Catalog) -> None:
     po.parent.mkdir(parents=True, exist_ok=True)
     with po.open("wb") as file:
         write_po(file, catalogue, width=110, sort_output=True, no_location=True)
+    for entry in messages(catalogue):
+        if not _filled(entry):  # the program then says it in English
+            catalogue.delete(entry.id, entry.context)
     with po.with_suffix(".mo").open("wb") as file:
         write_mo(file, catalogue)
 
@@ -156,8 +159,8 @@ def main() -> int:
         language = row.code
         for of in DOMAINS if row.messages else DOMAINS[:1]:
             catalogue = merged(language, of)
-            write(language, of, catalogue)
             wrong += [f"{language}, {of}: untranslated: {text}" for text in missing(catalogue)]
+            write(language, of, catalogue)
         terms = glossary(language)
         found = misnamed(merged(language), terms) if terms else ["no glossary.yaml"]
         wrong += [f"{language}: {text}" for text in found]

@@ -21,7 +21,7 @@ PICTURED = 26  # positions of plans and force plans whose pictures are made: 13 
 def translator(variant: Variant, language: str | None = None) -> Translator:
     """The note's language and decimal sign; another language than the variant's brings its own decimal sign."""
     if language is None or language == variant.language:
-        return Translator(variant.language, variant.decimal_sign)
+        return Translator(variant.language, variant.decimal_sign, variant.words)
     return Translator(language)
 
 

@@ -175,7 +175,7 @@ class Solved(Results):
     def _translator(self) -> Translator:
         from tmm_report.i18n import Translator
 
-        return Translator(self.variant.language, self.variant.decimal_sign)
+        return Translator(self.variant.language, self.variant.decimal_sign, self.variant.words)
 
     def __repr__(self) -> str:
         from tmm_report.interactive.brief import heading

@@ -23,7 +23,7 @@ from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message, in_language
-from tmm_report.profiles import Profile, filled, shipped
+from tmm_report.profiles import Profile, filled, shipped, usual
 from tmm_report.quantity.formula import Formula, Inline, Var
 from tmm_report.quantity.model import Column, Table, Value
 from tmm_report.quantity.ref import Ref
@@ -137,7 +137,7 @@ class Page:
     ):
         """`note`: how much the note says; `profile`: how it looks, by default as the standard has it."""
         self.form, self.tr, self.numbering, self.note = form, tr, numbering, note
-        self.profile = profile or shipped()
+        self.profile = profile or shipped(usual(tr.language))
         self.form.paper = Paper(self.profile.margins, self.profile.text, self.profile.frames)
         self.numbering.scheme = self.profile.numbers
         self.appendices: list[Appendix] = []

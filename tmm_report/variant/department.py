@@ -20,7 +20,7 @@ from tmm_report.yamlread import Document, OfFile
 NAMES = ("department.yaml", "кафедра.yaml")
 TEMPLATES = ("department.j2", "кафедра.j2")
 LARGEST = 32 * 1024  # bytes of a template
-KEYS = ("title", "assignment", "note", "profile", "drawing", "language", "decimal_sign")
+KEYS = ("title", "assignment", "note", "profile", "drawing", "language", "decimal_sign", "words")
 
 
 @dataclass(frozen=True)

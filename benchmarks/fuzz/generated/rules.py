@@ -271,6 +271,7 @@ NAMED: Mapping[str, Sequence[Any]] = {
     "Note.body": ("kinematics.contours", "plans"),
     "Note.appendix": ("kinematics", "balancing.left"),
     "Note.omit": ("structure.driving_links", "flywheel"),
+    "Variant.words": ("slider", "crank", "follower"),
     "NoteProfileModel.language": ("ru", "en"),
     "NoteProfileModel.words": ("ru", "kk", "en"),
 }

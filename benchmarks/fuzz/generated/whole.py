@@ -48,7 +48,7 @@ UNIFORM = (
 )  # fmt: skip
 """What reckons with a driving link that turns uniformly."""
 MARKS = ("language", "decimal_sign", "title", "note")
-PAPER = ("profile", "assignment")
+PAPER = ("profile", "assignment", "words")
 SLOW = {"methods": 0.05, "method": 0.25, "readings": 0.3, "drive": 0.6, "eccentric": 0.7}
 """How often what is dear, or breaks much else, is left where chance put it."""
 ASKED = 0.03

@@ -8,6 +8,7 @@ from typing import Annotated, TypedDict
 from pydantic import Field, Tag
 
 from tmm_report import profiles
+from tmm_report.languages import DEFAULT as LANGUAGE
 from tmm_report.problems import N_, Message, Problem, mistake, shown
 from tmm_report.profiles import Align, Base, Count, Dash, Place, Profile
 from tmm_report.quantity.units import WrongValue
@@ -138,7 +139,7 @@ class WordsModel(Model):
 class NoteProfileModel(Model):
     """What stands otherwise than in the profile `base`."""
 
-    base: Base = profiles.DEFAULT
+    base: Base | None = Field(default=None, description="left out, that of the variant's language")
     margins: MarginsModel | None = None
     text: LettersModel | None = None
     dash: Dash | None = None
@@ -170,7 +171,7 @@ Stated = Annotated[
 class Block(model.Block):
     """How the note looks on paper."""
 
-    profile: Stated = profiles.DEFAULT
+    profile: Stated | None = None
 
 
 class Given(TypedDict):
@@ -178,21 +179,23 @@ class Given(TypedDict):
 
 
 def given(read: Read) -> Given:
-    return {"profile": _made(read.block(Block).profile)}
+    stated = read.block(Block).profile
+    return {"profile": _made(stated, read) if stated is not None else None}
 
 
-def _made(stated: Base | NoteProfileModel) -> Profile:
+def _made(stated: Base | NoteProfileModel, read: Read) -> Profile:
     if isinstance(stated, str):
         return profiles.shipped(stated)
-    return profiles.stated(stated.base, stated.model_dump(exclude={"base"}, exclude_none=True))
+    base = stated.base or profiles.usual(str(read.data.get("language", LANGUAGE)))
+    return profiles.stated(base, stated.model_dump(exclude={"base"}, exclude_none=True))
 
 
 def mistakes(read: Read) -> Iterator[Problem]:
     """Margins that leave no room for the text; a language without words."""
     stated = read.block(Block).profile
-    if isinstance(stated, str):
+    if stated is None or isinstance(stated, str):
         return
-    made = _made(stated)
+    made = _made(stated, read)
     if made.language is not None and made.language not in made.words:
         known = Message(N_("known: %(words)s"), {"words": ", ".join(made.words)})
         yield mistake(
