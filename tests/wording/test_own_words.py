@@ -70,7 +70,7 @@ def test_words_of_a_language_whose_nouns_are_declined_keep_the_endings():
 
 
 def test_a_term_of_several_words():
-    say = Rewording("ru", (("force plan", "многоугольник сил"), ("planet gear", "спутник")))
+    say = Rewording("ru", (("force polygon", "многоугольник сил"), ("planet gear", "спутник")))
     assert (
         say("по плану сил и планам сил сателлитов") == "по многоугольнику сил и многоугольникам сил спутников"
     )
@@ -166,7 +166,10 @@ def test_each_word_in_its_own_place_changes_nothing(code):
 
 def test_what_is_counted_has_them_too():
     tr = Translator("en", None, reworded("en", slider="block"))
-    assert [tr.ngettext("%(n)s slider", "%(n)s sliders", n) for n in (1, 2)] == ["%(n)s block", "%(n)s blocks"]
+    assert [tr.ngettext("%(n)s slider", "%(n)s sliders", n) for n in (1, 2)] == [
+        "%(n)s block",
+        "%(n)s blocks",
+    ]
 
 
 def test_a_translator_with_words_is_hashable():
