@@ -23,6 +23,8 @@ FAULTS = (
     Fault("typst: quotation marks end their string", FORMULAS, """'"': '\\\\"', """, "", tests=NOTATION),
     Fault("typst: pictures nine tenths as large", FORM, 'size = self.paper.percent(picture.size) / 100',
           'size = self.paper.percent(picture.size) / 111', variants="compressor", tests=MEASURED),
+    Fault("typst: a chart in a place of another size", FORM, "wide, tall = drawing.size", "wide, tall = picture.size",
+          tests=PDF),
     Fault("typst: a product cut from its formula", FORM, "start = mark.start()\n    return",
           "start = mark.end()\n    return", tests=PDF),
     Fault("typst: text is read as markup", FORM, 'else f"\\\\{sign}"', "else sign", tests=PDF),

@@ -20,7 +20,8 @@ from typesetting import by_typst, set_by_typst
 
 from tmm_report.chapters.title.given import Assignment, Signer, Title
 from tmm_report.commands.files import for_typst
-from tmm_report.report.formats.typst import UNDATED, dated, typst_escape
+from tmm_report.report.dates import UNDATED, dated
+from tmm_report.report.formats.typst import typst_escape
 from tmm_report.report.paper.measure import known_letters
 
 OWN = {
@@ -111,6 +112,20 @@ def test_dates_as_they_are_written():
     assert dated("не позже", "2024-03-07") == date(2024, 3, 7) and dated("31.02.2025") == date(2025, 1, 1)
     assert dated("", "осень", "к 1 мая 2023") == date(2023, 1, 1)
     assert dated() == dated("00.00.0000", "123456") == UNDATED
+
+
+@pytest.mark.parametrize("name", ["compressor", "press"])
+def test_a_picture_stands_in_a_place_of_its_own_size(name):
+    """Typst enlarges a picture until it covers its place, and cuts what is over."""
+    source = note(name, "typst", "ru")["note.typst"].decode()
+    drawn = re.findall(
+        r'width=\\"([\d.]+)mm\\" height=\\"([\d.]+)mm\\".*?</svg>", "[^\n]*?", ([\d.]+)mm, ([\d.]+)mm\);',
+        source,
+    )
+    assert len(drawn) == source.count("#note-picture(") > 5
+    for sizes in drawn:
+        own, place = (float(sizes[0]), float(sizes[1])), (float(sizes[2]), float(sizes[3]))
+        assert place[0] / own[0] == pytest.approx(place[1] / own[1], abs=2e-4) and place[0] <= own[0] + 0.002
 
 
 # --- a student's text

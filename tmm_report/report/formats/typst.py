@@ -53,9 +53,9 @@ class Typst(Flowing):
         return Markup(f"{''.join(pieces)}/*{wide:.3f}*/")
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
-        wide, tall = picture.size
         size = self.paper.percent(picture.size) / 100
         drawing = drawing_of(picture)
+        wide, tall = drawing.size  # of what is drawn: Typst would enlarge it to another size, and cut it
         drawn = _printable(svg(drawing))
         sizes = f"{size * wide:.3f}mm, {size * tall:.3f}mm"
         return Markup(f"#note-picture({string(drawn)}, {string(_printable(drawing.title))}, {sizes});")
