@@ -12,6 +12,7 @@ from typing import Any
 from xml.etree.ElementTree import Element
 
 import pytest
+from conftest import solved
 from exhaustive import many
 from notes import NAMES, note
 
@@ -20,6 +21,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 from messages import merged, messages
 from note import read, text_of
 
+from tmm_report import render
 from tmm_report.i18n import Translator
 from tmm_report.languages import LANGUAGES
 from tmm_report.quantity.sheet import Q
@@ -158,6 +160,20 @@ def test_a_symbol_of_a_sentence_is_that_of_the_formulas():
                 other.append((template.stem, key))
     # the clearance coefficient c* there, beside the coefficient c of the equation for whole numbers of teeth
     assert other == [("eccentric", "c")]
+
+
+@pytest.mark.parametrize("name", ["hoist_drive", "compressor"])
+def test_a_heading_has_the_rank_of_its_number(name):
+    """In an appendix, too, where a part of a section begins as one: A.1 looks as 2.1 does."""
+    headings = read(render(solved(name), "html", "en", "course")["note.html"].decode()).root.iter(
+        "h1", "h2", "h3"
+    )
+    numbers = [
+        (node.tag, re.match(r"(?:\d+|[A-Z])(?:\.\d+)*(?= )", text_of(node).strip())) for node in headings
+    ]
+    found = [(tag, number[0]) for tag, number in numbers if number]
+    assert any(number.startswith("A.") for _, number in found)
+    assert not [number for tag, number in found if int(tag[1]) != number.count(".") + 1]
 
 
 def _declared(chapter: tuple[str, ...]) -> Iterator[tuple[str, Symbol]]:

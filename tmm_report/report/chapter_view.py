@@ -106,6 +106,14 @@ class BookView:
         """The symbol of a column, as it stands in formulas."""
         return self.page.sym(self.of(name, key).quantity.sign)
 
+    def columns_named(self, name: str, *keys: str) -> Markup:
+        """What columns with symbols for heads mean, in a sentence: F_max – greatest shaking force; …"""
+        signs = [self.column_sign(name, key) for key in keys]
+        said = [self.page.message(self.of(name, key).quantity.meaning) for key in keys]
+        return self.page.listed(
+            (self.page.listed(pair, " – ") for pair in zip(signs, said, strict=True)), "; "
+        )
+
     # --- tables
 
     def table(self, name: str) -> Table:

@@ -21,6 +21,11 @@ class Place(NamedTuple):
     number: str
     anchor: str
 
+    @property
+    def rank(self) -> int:
+        """Of the heading of a section: 3 of "2.1.4", but 2 of "A.1", where a part of a section is an appendix's own."""
+        return self.number.count(".") + 1
+
 
 class Section(NamedTuple):
     """A line of the contents; `level` 1 for a chapter."""

@@ -111,6 +111,8 @@ FAULTS = (
           "for one in (*rows, row)) > sheet.field[1]", "for one in rows) > sheet.field[1]", tests=SHEETS),
     Fault("a line that ends between a number and its unit", "tmm_report/report/page.py",
           "(?=(?:{units})(?!", "(?=(?:{units})0(?!", tests=("tests/report/test_good_text.py",)),
+    Fault("a part of a section in an appendix looks smaller than its number", "templates/macros.html.j2",
+          "{% set rank = place.rank %}", "{% set rank = 3 %}", tests=("tests/report/test_good_text.py",)),
     Fault("a sentence of the flywheel with letters of its own", "templates/chapters/machine/flywheel/methods.j2",
           'great=view.column_sign("methods", "T_1")', 'great=sym("T_1")', tests=("tests/report/test_good_text.py",)),
     Fault("sources cited together as in English", "tmm_report/languages.py",

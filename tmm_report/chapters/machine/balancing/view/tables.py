@@ -35,6 +35,8 @@ MORE = {
 
 
 class BalancingSheet(AgainstMoment):
+    compared = ("F_max", "F_max_at", "left", "F_rms", "M_max", "M_rms", "m_total")  # columns of the ways
+
     def way(self, case: Case) -> Markup:
         if case.base is not None:
             return self.t(MORE[case.name], n=self.found.every.index(case.base))
@@ -69,8 +71,7 @@ class BalancingSheet(AgainstMoment):
     def cases(self, caption: Any) -> Table:
         table, page = self.table("balancing_cases"), self.page
         size = self.found.original.force_max.value
-        keys = ("F_max", "F_max_at", "left", "F_rms", "M_max", "M_rms", "m_total")
-        heads = [self.t("No."), self.t("Way of balancing"), *self.heads(table, keys)]
+        heads = [self.t("No."), self.t("Way of balancing"), *self.heads(table, self.compared)]
         rows = []
         for row, case in enumerate(self.found.every):
             numbers: list[Any] = [
