@@ -147,7 +147,7 @@ PIECES: dict[str, Piece] = {
             "exact least shift, depth, base thickness, curvature and sliding at the ends of the profiles of a pair"
         )
     ),
-    "spur.conditions": Piece(N_("conditions of a pair with margin")),
+    "spur.conditions": Piece(N_("conditions of a pair with their margins")),
     "spur.graph": Piece(N_("contact ratio of a pair by the drawing of its mesh")),
     "spur.sliding": Piece(N_("graph of the specific sliding along the line of action"), course="appendix"),
     "spur.details": Piece(
