@@ -13,17 +13,19 @@ from once import once
 
 from tmm_report import render as of_depth
 from tmm_report.commands.files import for_typst
-from tmm_report.course import Results
+from tmm_report.course import Depth, Results
 
 VARIANTS = Path(__file__).parent.parent / "variants"
 NAMES = sorted(path.stem for path in ALL_FILES)
 
 
-def render(results: Results, fmt: str = "html", language: str | None = None) -> dict[str, bytes]:
+def render(
+    results: Results, fmt: str = "html", language: str | None = None, depth: Depth = "full"
+) -> dict[str, bytes]:
     """The note that says all, or the numbers: what a shorter one leaves out is judged, too."""
     if fmt == "typst":
-        return {"note.typst": for_typst(results, language, "full")}
-    return of_depth(results, fmt, language, "full")
+        return {"note.typst": for_typst(results, language, depth)}
+    return of_depth(results, fmt, language, depth)
 
 
 def static(page: str) -> str:
@@ -33,14 +35,16 @@ def static(page: str) -> str:
     return body + behind.rpartition("</script>\n")[2]
 
 
-def note(name: str, fmt: str, language: str | None = None) -> dict[str, bytes]:
-    """Files of the note of a ready variant; in its own language where none is stated."""
-    return rendered(name, fmt, language or read(name).language)
+def note(name: str, fmt: str, language: str | None = None, depth: Depth | None = "full") -> dict[str, bytes]:
+    """Files of the note of a ready variant; in its own language where none is stated; of no `depth`: as it is made by
+    itself."""
+    variant = read(name)
+    return rendered(name, fmt, language or variant.language, depth or variant.note.depth)
 
 
 @once
-def rendered(name: str, fmt: str, language: str) -> dict[str, bytes]:
-    return render(solved(name), fmt, language)
+def rendered(name: str, fmt: str, language: str, depth: Depth) -> dict[str, bytes]:
+    return render(solved(name), fmt, language, depth)
 
 
 def program(*names: str) -> str:

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from conftest import read, solved
 from exhaustive import many
-from notes import NAMES, static
+from notes import NAMES, note, static
 from payloads import PAYLOADS
 
 from tmm_report import render, solve
@@ -35,7 +35,7 @@ ORDERED = [*QUICK, *(name for name in LEVERS if name not in QUICK)]
 
 @cache
 def page(name: str) -> str:
-    return render(solved(name), "html")["note.html"].decode()
+    return note(name, "html", depth=None)["note.html"].decode()
 
 
 def known(text: str) -> dict:

@@ -46,9 +46,7 @@ def language(name: str, other: str = "") -> str:
 
 @cache
 def html(name: str, other: str = "", depth: str = "full") -> Note:
-    if depth == "full":
-        return read(note(name, "html", language(name, other))["note.html"].decode())
-    return read(render_as(solved(name), "html", language(name, other), depth)["note.html"].decode())
+    return read(note(name, "html", language(name, other), depth)["note.html"].decode())
 
 
 def tex(name: str, other: str = "") -> str:

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from conftest import read, solved
 from notes import VARIANTS
+from notes import note as whole
 
 from tmm_report import render
 from tmm_report.chapters.title.given import Note
@@ -27,7 +28,7 @@ NUMBERED = re.compile(r'<(?:figure|div)[^>]* id="(figure|table|formula)(-appendi
 
 @cache
 def text(name: str, depth: str, language: str = "en") -> str:
-    return render(solved(name), "html", language, depth)["note.html"].decode()
+    return whole(name, "html", language, depth)["note.html"].decode()
 
 
 def noted(results: Results, **note) -> str:

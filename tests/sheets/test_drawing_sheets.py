@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 import pytest
 from conftest import solved
 from drawn import VARIANTS, files_of, ink, said, sheets_of
+from notes import note
 
 from tmm_report import render, sheets
 from tmm_report.commands.files import translator
@@ -45,8 +46,8 @@ def test_pictures_stand_apart_within_the_frame_and_off_the_title_block(name):
 
 @pytest.mark.parametrize("name", VARIANTS)
 def test_every_picture_of_the_note_is_on_one_sheet(name):
-    note = render(solved(name), "html")["note.html"].decode()
-    assert sum(len(sheet.blocks) for sheet in sheets_of(name)) == note.count("<figure")
+    page = note(name, "html", depth=None)["note.html"].decode()
+    assert sum(len(sheet.blocks) for sheet in sheets_of(name)) == page.count("<figure")
 
 
 def test_sheets_have_their_chapters_in_the_order_of_the_project():
@@ -66,7 +67,7 @@ def test_sheets_have_their_chapters_in_the_order_of_the_project():
 @pytest.mark.parametrize("name", ("compressor", "cam_press", "shaper_project"))
 def test_vectors_on_the_sheet_are_those_of_the_results(name):
     """Of the SVG: the length of a vector, times what its title says of a millimetre, against results.json."""
-    tables = json.loads(render(solved(name), "json")["results.json"])["tables"]
+    tables = json.loads(note(name, "json")["results.json"])["tables"]
     values: dict[str, list[float]] = {}
     for table in (one for key, one in tables.items() if key.startswith("comparison_")):
         rows = (
