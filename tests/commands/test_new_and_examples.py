@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from functools import cache
 
 import jsonschema
 import pytest
@@ -14,12 +15,21 @@ from typer.testing import CliRunner
 
 from tmm_report import solve
 from tmm_report.cli import app
+from tmm_report.commands import schema
 from tmm_report.commands.examples import KINDS, Example
 from tmm_report.commands.new import FIRST, SCHEMA
 from tmm_report.languages import LANGUAGES
 from tmm_report.loading import load
 from tmm_report.resources import data_root
 from tmm_report.yamlread import read
+
+TEXT = cache(schema.text)
+
+
+@pytest.fixture(autouse=True)
+def one_schema(monkeypatch):
+    """The schema beside every variant is the same, and takes a third of a second to make."""
+    monkeypatch.setattr(schema, "text", TEXT)
 
 
 def run(*arguments: object, **env: str):
