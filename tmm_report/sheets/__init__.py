@@ -13,7 +13,7 @@ from importlib.util import find_spec
 
 from tmm_report.course import Results
 from tmm_report.figures.sheets.form import Said
-from tmm_report.figures.sheets.sheet import FORMATS, LARGEST, Block, Format, Sheet, placed
+from tmm_report.figures.sheets.sheet import FORMATS, LARGEST, Block, Format, Sheet, placed, places
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.report.numbering import Numbering
@@ -58,10 +58,10 @@ def _sheets(figures: Sequence[Figure], tr: Translator) -> Iterator[tuple[Format,
     left = list(figures)
     while left:
         blocks = [one.block(1.0, tr) for one in left]
-        size = next((one for one in FORMATS[: LARGEST + 1] if len(placed(one, blocks)) == len(left)), None)
+        size = next((one for one in FORMATS[: LARGEST + 1] if len(places(one, blocks)) == len(left)), None)
         if size is None:
             size = FORMATS[LARGEST]
-            here = sorted(placed(size, blocks))
+            here = sorted(places(size, blocks))
         else:
             here = list(range(len(left)))
         if not here:  # even the first alone is too large
@@ -71,14 +71,14 @@ def _sheets(figures: Sequence[Figure], tr: Translator) -> Iterator[tuple[Format,
 
 
 def _for_one(one: Block) -> Format:
-    return next((size for size in FORMATS[LARGEST:] if placed(size, [one])), FORMATS[-1])
+    return next((size for size in FORMATS[LARGEST:] if places(size, [one])), FORMATS[-1])
 
 
 def _enlarged(size: Format, figures: Sequence[Figure], tr: Translator) -> list[Block]:
     """Each picture as large as there is room for, schemes and plans before diagrams, the most crowded first; one that
     no paper holds is smaller."""
     blocks = [one.block(1.0, tr) for one in figures]
-    found = placed(size, blocks)
+    found = places(size, blocks)  # nothing is moved before all have their size
     if len(found) < len(blocks):
         small = (figures[0].block(1 / times, tr) for times in SMALLER)
         return list(next(held for one in small if (held := placed(size, [one]))).values())
@@ -89,11 +89,11 @@ def _enlarged(size: Format, figures: Sequence[Figure], tr: Translator) -> list[B
     for times in LARGER:
         for n in list(order):
             larger = [*blocks[:n], figures[n].block(times, tr), *blocks[n + 1 :]]
-            if len(tried := placed(size, larger)) == len(larger):
+            if len(tried := places(size, larger)) == len(larger):
                 blocks, found = larger, tried
             else:
                 order.remove(n)  # still larger it has no room either
-    return [found[n] for n in range(len(blocks))]
+    return [one.at(*found[n]) for n, one in enumerate(blocks)]
 
 
 def render(results: Results, tr: Translator) -> dict[str, bytes]:

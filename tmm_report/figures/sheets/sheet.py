@@ -249,15 +249,20 @@ def _inside(one: Box, other: Box) -> bool:
     )
 
 
-def placed(format: Format, blocks: Sequence[Block]) -> dict[int, Block]:
-    """As many as the sheet holds, each at its place, by their numbers: large ones first, each as high and as far to the
-    left as it can be."""
-    found, taken = dict[int, Block](), list[Box]()
+def places(format: Format, blocks: Sequence[Block]) -> dict[int, tuple[float, float]]:
+    """Lower left corners, mm, of as many as the sheet holds, by their numbers: large ones first, each as high and as
+    far to the left as it can be."""
+    found, taken = dict[int, tuple[float, float]](), list[Box]()
     for n in sorted(range(len(blocks)), key=lambda n: -blocks[n].size[0] * blocks[n].size[1]):
         wide, tall = blocks[n].size
         room = [one for one in free_of(format, taken) if one[2] - one[0] >= wide and one[3] - one[1] >= tall]
         if room:
-            best = min(room, key=lambda one: (-one[3], one[0]))
-            found[n] = blocks[n].at(best[0], best[3] - tall)
-            taken.append(found[n].box)
+            left, _, _, top = min(room, key=lambda one: (-one[3], one[0]))
+            found[n] = left, top - tall
+            taken.append((left, top - tall, left + wide, top))
     return found
+
+
+def placed(format: Format, blocks: Sequence[Block]) -> dict[int, Block]:
+    """Those at their places."""
+    return {n: blocks[n].at(*corner) for n, corner in places(format, blocks).items()}
