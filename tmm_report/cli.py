@@ -170,8 +170,8 @@ def schema(
         from tmm_report.commands.schema import run, text
 
         if output is None:
-            return typer.echo(text())
-        done = run(output, console)
+            return typer.echo(text(console.language))
+        done = run(output, console.language, console)
     ended(done)
 
 

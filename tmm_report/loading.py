@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from tmm_report import yamlread
 from tmm_report.course import BESIDE, LEVER, LeverGiven, Variant, gears_unsolvable, lever_unsolvable, room
-from tmm_report.languages import stated_in
+from tmm_report.languages import FALLBACK, stated_in
 from tmm_report.problems import N_, Problem, ProblemError, mistake, shown
 from tmm_report.variant.department import Department, beside, read, under
 
@@ -99,12 +99,15 @@ def _sound(department: Department) -> yamlread.Document:
     return document
 
 
-def schema() -> dict[str, Any]:
-    """The JSON Schema (draft 2020-12) of the format, for editors."""
+def schema(language: str = FALLBACK) -> dict[str, Any]:
+    """The JSON Schema (draft 2020-12) of the format, for editors; what its keys mean is said in the language."""
+    from tmm_report.variant.described import translated
     from tmm_report.variant.editor import schema_of  # only `tmm-report schema` needs it
 
     kinds = "a lever mechanism, a cam, a gear train or drive, an eccentric mechanism, or several of them"
-    return schema_of([block.Block for block in _rooms().all()], f"A variant of a course project: {kinds}.")
+    made = schema_of([block.Block for block in _rooms().all()], f"A variant of a course project: {kinds}.")
+    found: dict[str, Any] = translated(made, language)
+    return found
 
 
 def _rooms() -> Rooms:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from tmm_report.commands.examples import KINDS, named, ready
@@ -35,7 +36,7 @@ def run(
         )
     text = new(language, kind or FIRST_KIND) if like is None else _copy(like, lang)
     _made(file, FIRST + text)
-    beside = _schema_beside(file, talk)
+    beside = _schema_beside(file, language, talk)
     talk.tell(written(*([file, beside] if beside else [file])))
     return True
 
@@ -67,12 +68,12 @@ def _made(file: Path, text: str) -> None:
         raise failure("%(file)s: %(reason)s", file=file, reason=error.strerror) from None
 
 
-def _schema_beside(file: Path, talk: Talk) -> Path | None:
+def _schema_beside(file: Path, language: str, talk: Talk) -> Path | None:
     """The schema that the file's first line names: written beside it, or there already."""
     from tmm_report.commands.schema import text
 
     place = file.parent / SCHEMA
-    return place if kept(place, text, talk) else None
+    return place if kept(place, partial(text, language), talk) else None
 
 
 def kept(place: Path, text: Callable[[], str], talk: Talk) -> bool:

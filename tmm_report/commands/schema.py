@@ -12,17 +12,17 @@ DIALECT = "https://json-schema.org/draft/2020-12/schema"
 BEGINS = f'{{\n  "$schema": "{DIALECT}"'
 
 
-def text() -> str:
-    """The JSON Schema, indented."""
-    return json.dumps(schema(), ensure_ascii=False, indent=2)
+def text(language: str) -> str:
+    """The JSON Schema, indented; its descriptions are in the language."""
+    return json.dumps(schema(language), ensure_ascii=False, indent=2)
 
 
-def run(output: Path, talk: Talk) -> bool:
+def run(output: Path, language: str, talk: Talk) -> bool:
     """Write it to a file. Raises ProblemError."""
     from tmm_report.commands.files import write
 
     try:
-        write(output.parent, {output.name: f"{text()}\n".encode()})
+        write(output.parent, {output.name: f"{text(language)}\n".encode()})
     except OSError as error:
         raise unwritable(output.parent, error) from None
     talk.tell(written(output))

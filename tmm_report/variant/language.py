@@ -36,6 +36,7 @@ def called(value: object) -> str:
     return Called({code: free_text(text) for code, text in value.items()})
 
 
+_EACH = ", or one of each language: {ru: …, en: …}"
 _TEXT = {"type": ["string", "number"], "maxLength": 200}
 _BY_LANGUAGE = {
     "type": "object",
@@ -43,6 +44,8 @@ _BY_LANGUAGE = {
     "additionalProperties": False,
     "minProperties": 1,
 }
-CalledBy = Annotated[str, Reads(called, {"anyOf": [_TEXT, _BY_LANGUAGE]})]
+CalledBy = Annotated[str, Reads(called, {"anyOf": [_TEXT, _BY_LANGUAGE], "description": f"a name{_EACH}"})]
 _FIELD = {**_TEXT, "type": ["string", "number", "boolean", "null"]}
-TitleLine = Annotated[str, Reads(called, {"anyOf": [_FIELD, _BY_LANGUAGE]})]
+TitleLine = Annotated[
+    str, Reads(called, {"anyOf": [_FIELD, _BY_LANGUAGE], "description": f"a line of text{_EACH}"})
+]

@@ -135,6 +135,8 @@ def quantity(dimension: str, low: float = -math.inf, high: float = math.inf, lim
         "anyOf": [{"type": "number"}, {"type": "string", "pattern": r"^\s*[-+−]?[0-9.,]"}],
         "description": described,
         "examples": [about.example],
+        "x-unit": about.unit,  # for the reference of the format: a field's own description takes the place of this one
+        **({"x-range": limits} if limits else {}),
     }
     read = partial(_quantity, dimension=dimension, low=low, high=high, limits=limits)
     return Reads(read, schema, "" if dimension == "number" else dimension, bool(limits))
@@ -487,6 +489,7 @@ SpanOrWord = Annotated[
                 {"const": "standard"},
             ],
             "description": "a length, 1 mm … 20 m, or standard: the nearest of the row",
+            "x-unit": "m",
         },
         bounded=True,
     ),

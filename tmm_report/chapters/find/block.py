@@ -99,9 +99,13 @@ class FindModel(Model):
         default=None, description="a number of the results and what it is to be; two for two unknowns"
     )
     greatest: NameOf | None = Field(
-        default=None, description="the number of the results that is to be greatest"
+        default=None,
+        description="the number of the results that is to be greatest",
+        examples=["dynamics_start.epsilon.max"],
     )
-    least: NameOf | None = Field(default=None, description="the number of the results that is to be least")
+    least: NameOf | None = Field(
+        default=None, description="the number of the results that is to be least", examples=["M_bal_max"]
+    )
     choose: Literal["first", "last"] | Annotated[int, whole(1, 1000)] = Field(
         default="first", description="which of several roots the variant is solved with"
     )

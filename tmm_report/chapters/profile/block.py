@@ -46,14 +46,16 @@ class LettersModel(Model):
 class SubheadingModel(Model):
     """How the heading of a subsection stands."""
 
-    align: Align | None = None
-    capitals: Flag | None = None
+    align: Align | None = Field(
+        default=None, description="at the left, from the indent of a paragraph, or in the middle"
+    )
+    capitals: Flag | None = Field(default=None, description="whether it is written in capitals")
 
 
 class HeadingModel(SubheadingModel):
     """How a heading stands."""
 
-    new_page: Flag | None = None
+    new_page: Flag | None = Field(default=None, description="whether it begins a page")
 
 
 class HeadingsModel(Model):
@@ -69,16 +71,16 @@ class HeadingsModel(Model):
 class CaptionsModel(Model):
     """Where the captions of figures and tables stand."""
 
-    figure: Align | None = None
-    table: Align | None = None
+    figure: Align | None = Field(default=None, description="of a figure")
+    table: Align | None = Field(default=None, description="of a table")
 
 
 class NumbersModel(Model):
     """Whether numbers go through the note or begin anew in each section."""
 
-    figures: Count | None = None
-    tables: Count | None = None
-    formulas: Count | None = None
+    figures: Count | None = Field(default=None, description="of figures")
+    tables: Count | None = Field(default=None, description="of tables")
+    formulas: Count | None = Field(default=None, description="of formulas")
 
 
 class WhereModel(Model):
@@ -108,7 +110,12 @@ def _example(slots: tuple[str, ...]) -> str:
 def _word(*slots: str) -> Reads:
     return Reads(
         partial(_template, slots=slots),
-        {"type": "string", "maxLength": 200, "examples": [_example(slots)]},
+        {
+            "type": "string",
+            "maxLength": 200,
+            "description": "as it stands in the note",
+            "examples": [_example(slots)],
+        },
     )
 
 
@@ -142,12 +149,12 @@ class NoteProfileModel(Model):
     base: Base | None = Field(default=None, description="left out, that of the variant's language")
     margins: MarginsModel | None = None
     text: LettersModel | None = None
-    dash: Dash | None = None
+    dash: Dash | None = Field(default=None, description="between the number of a caption and its title")
     headings: HeadingsModel | None = None
     captions: CaptionsModel | None = None
     numbers: NumbersModel | None = None
     where: WhereModel | None = None
-    page_number: Place | None = None
+    page_number: Place | None = Field(default=None, description="where it stands")
     signatures: Flag | None = Field(
         default=None, description="a line to sign on behind each name of the title page"
     )

@@ -281,6 +281,11 @@ def twin(word: str) -> str:
     return _TWINS.get(word, word).split(", ")[0]
 
 
+def called(key: str) -> str:
+    """What a key may be called in Russian; empty of one that has no twin."""
+    return _KEYS.get(key, "")
+
+
 def english_key(key: str, known: Collection[str]) -> str | None:
     """Of the keys that are known at a place the one that a Russian key stands for."""
     if key.isascii():

@@ -44,7 +44,7 @@ class BevelStage(Ordinary):
     teeth: Annotated[
         Annotated[Tooth, Tag(SCALAR)] | Annotated[tuple[Tooth, Tooth], Tag(LIST)],
         by_shape(N_("of both wheels: [20, 50], or of the driving one beside a ratio: 20")),
-        Field(examples=["[20, 50]"]),
+        Field(description="of both wheels, or of the driving one beside a ratio", examples=["[20, 50]"]),
     ] = field(kw_only=True)
     module: Annotated[Module | None, Field(description="outer, transverse", examples=["4 mm"])] = field(
         default=None, kw_only=True

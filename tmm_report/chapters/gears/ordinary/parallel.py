@@ -196,7 +196,7 @@ class ChainStage(Ordinary):
     teeth: Annotated[
         Annotated[Tooth, Tag(SCALAR)] | Annotated[tuple[Tooth, Tooth], Tag(LIST)],
         by_shape(N_("of both sprockets: [25, 60], or of the driving one beside a ratio: 25")),
-        Field(examples=["[25, 60]"]),
+        Field(description="of both sprockets, or of the driving one beside a ratio", examples=["[25, 60]"]),
     ] = field(kw_only=True)
     pitch: Annotated[
         Annotated[float, quantity("length", 1e-3, 0.2, "1 … 200 mm")],
@@ -338,7 +338,10 @@ class TrainStage(Ordinary):
         by_shape(
             N_("of the driving and the driven wheel: [20, 60], or of the driving one beside a ratio: 20")
         ),
-        Field(examples=["[20, 60]"]),
+        Field(
+            description="of the driving and the driven wheel, or of the driving one beside a ratio",
+            examples=["[20, 60]"],
+        ),
     ] = field(kw_only=True)
     idlers: Annotated[
         tuple[Tooth, ...],

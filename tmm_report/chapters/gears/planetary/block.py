@@ -72,7 +72,7 @@ Teeth = Annotated[list[Tooth], Field(min_length=3, max_length=4)]
 class SecondModel(Model):
     """The second input of a differential: a member that is neither `input` nor `output`."""
 
-    member: Word
+    member: Word = Field(description="which member it turns")
     speed: TurningSpeed = Field(description="minus: against the input shaft", examples=["500 rpm"])
 
 
@@ -101,9 +101,9 @@ class PlanetaryModel(Model):
     teeth: Teeth | None = Field(
         default=None, description="z1, z2, z3, of two rows z1, z2, z2', z3; left out, the best are found"
     )
-    input: Word = Field(examples=["sun"])
-    output: Word = Field(examples=["carrier"])
-    fixed: Word | None = None
+    input: Word = Field(examples=["sun"], description="the member that drives")
+    output: Word = Field(examples=["carrier"], description="the member that is driven")
+    fixed: Word | None = Field(default=None, description="the member at rest; left out, the third one")
     second: SecondModel | None = Field(default=None, description="in place of `fixed`: the second input")
     helix: Helix = Field(
         default=0.0, description="of all the teeth; the module is then that of the normal section"

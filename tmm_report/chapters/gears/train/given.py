@@ -137,7 +137,8 @@ class Losses:
     internal: Annotated[Efficiency, Field(examples=[0.99])] = 1.0
     bevel: Annotated[Efficiency, Field(examples=[0.97])] = 1.0
     meshes: Annotated[
-        dict[str, Efficiency], Field(max_length=MOST, description="of single meshes, for example 1-2")
+        dict[str, Efficiency],
+        Field(max_length=MOST, description="of single meshes, for example 1-2", examples=["{1-2: 0.98}"]),
     ] = field(default_factory=dict)
 
 

@@ -132,7 +132,7 @@ class StrokesDiagram:
             examples=["{intake: [[0, 5 N], [1, 5 N]], compression: [[0, 9 kN], [1, 5 N]], …}"],
         ),
     ]
-    first: Annotated[Label | None, Field(description=_FIRST)] = None
+    first: Annotated[Label | None, Field(description=_FIRST, examples=["compression"])] = None
     of: Annotated[ForceValue | None, Field(description=_OF)] = None
 
     def __post_init__(self) -> None:
@@ -181,7 +181,7 @@ class SharedDiagram:
     zero: Annotated[Side, Field(description=_ZERO)]
     curve: Annotated[Label, Field(description="a name of loads.curves", examples=["gas"])]
     of: Annotated[ForceValue, Field(description="the greatest value")]
-    first: Annotated[Label | None, Field(description=_FIRST)] = None
+    first: Annotated[Label | None, Field(description=_FIRST, examples=["compression"])] = None
 
     def through(self, curve: StatedCurve | StatedStrokes) -> Any:
         """The diagram that it stands for."""
@@ -418,7 +418,9 @@ class Moment(ByOneLaw):
     _: KW_ONLY
     name: Annotated[CalledBy | None, Field(description="for the tables; left out, M1, M2, …")] = None
     on: Annotated[Name, Field(description="the link", examples=["3"])]
-    direction: Turning
+    direction: Annotated[
+        Turning, Field(description="which way it turns; along or against the motion of the link")
+    ]
     constant: MomentValue | None = None
     stroke: Annotated[
         WorkingSwing | None, Field(description="in which the constant moment acts; left out, always")

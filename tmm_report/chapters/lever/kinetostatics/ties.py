@@ -48,7 +48,8 @@ class Tie:
 
     _: KW_ONLY
     name: Annotated[
-        CalledBy | None, Field(description="for the tables; left out, c1, c2, … or b1, b2, …")
+        CalledBy | None,
+        Field(description="for the tables; left out, c1, c2, … or b1, b2, …", examples=["return spring"]),
     ] = None
     between: Annotated[tuple[Name, Name], Field(description=_BETWEEN, examples=["[B, K]"])]
     on: Annotated[dict[Name, Name], Field(description=_ON, examples=["{B: 3}"])] = field(default_factory=dict)
@@ -200,7 +201,9 @@ class TorsionSpring:
     }
 
     _: KW_ONLY
-    name: Annotated[CalledBy | None, Field(description="for the tables; left out, k1, k2, …")] = None
+    name: Annotated[
+        CalledBy | None, Field(description="for the tables; left out, k1, k2, …", examples=["torsion bar"])
+    ] = None
     links: Annotated[
         tuple[Name, Name],
         Field(

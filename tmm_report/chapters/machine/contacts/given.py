@@ -75,7 +75,9 @@ class Incline(Rough):
     kind: Literal["incline"]
     angle: Annotated[Angle, Field(description="of the plane", examples=["12 deg"])]
     load: Annotated[Annotated[float, quantity("force", 1e-12)], Field(examples=["2 kN"])]
-    force: Literal["level", "along"] = "level"
+    force: Annotated[
+        Literal["level", "along"], Field(description="that moves the body: level, or along the plane")
+    ] = "level"
 
 
 @dataclass(frozen=True)
@@ -140,7 +142,9 @@ class Screw(Rough):
     kind: Literal["screw"]
     diameter: Annotated[Positive, Field(description="mean, of the thread", examples=["25 mm"])]
     pitch: Positive
-    starts: Annotated[int, whole(1, 12)] = 1
+    starts: Annotated[
+        Annotated[int, whole(1, 12)], Field(description="how many threads run side by side")
+    ] = 1
     profile: Annotated[Angle, Field(description="half the angle of the thread; 0: square")] = 0.0
     load: Annotated[float, quantity("force", 1e-12)]
     collar: Collar | None = None

@@ -118,7 +118,7 @@ class Start:
         quantity("number", 1e-9, 0.99, "0 … 0.99"),
         Field(description="part of the steady speed that may be lacking"),
     ] = 0.02
-    motor: Supply = "on"
+    motor: Annotated[Supply, Field(description="on, off, or reversed: against the rotation")] = "on"
     at: Annotated[Angle, Field(description="angle turned from position 0 at the beginning")] = 0.0
 
 
@@ -128,7 +128,7 @@ class Coast:
 
     begin: Annotated[Speed | None, Field(description="left out, the steady speed")] = None
     speed: Annotated[float, quantity("speed", 0.0), Field(description="to which; 0: to a stop")] = 0.0
-    motor: Supply = "off"
+    motor: Annotated[Supply, Field(description="on, off, or reversed: braking by counter-current")] = "off"
     brake: Annotated[
         Annotated[float, quantity("moment", 1e-12)] | None,
         Field(description="moment of a brake on the main shaft"),

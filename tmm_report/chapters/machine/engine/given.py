@@ -102,7 +102,7 @@ class Opposed:
 class Radial:
     """A star of cylinders about one crankpin."""
 
-    cylinders: Annotated[int, whole(2, 24)]
+    cylinders: Annotated[Annotated[int, whole(2, 24)], Field(description="how many")]
     bank: Annotated[Angle, Field(description="of the first from the upward vertical")] = 0.0
 
     def columns(self) -> Columns:
@@ -173,7 +173,9 @@ class Engine:
     firing: Annotated[
         list[Name] | None, Field(max_length=24, description="order in which cylinders fire")
     ] = None
-    strokes: Literal[2, 4] = 4
+    strokes: Annotated[
+        Literal[2, 4], Field(description="of a cycle: how the work of a cylinder is repeated")
+    ] = 4
     accuracy: Annotated[Accuracy, Field(description="of the polygons, on paper")] = ACCURACY
 
     @cached_property

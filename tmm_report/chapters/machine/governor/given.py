@@ -78,7 +78,7 @@ class BellCrank:
 class Balls:
     """The balls."""
 
-    count: Annotated[int, whole(1, 12)] = 2
+    count: Annotated[Annotated[int, whole(1, 12)], Field(description="how many")] = 2
     mass: Annotated[PositiveMass | None, Field(description="of one; left out where it is chosen")] = None
     distance: Annotated[
         Positive | None, Field(description="along the upper arm from its pivot; left out, on the pin")

@@ -54,6 +54,7 @@ PRODUCT = {
     "anyOf": [{"type": "number"}, {"type": "string"}],
     "description": "mass by radius: SI (kg*m) or text with a unit",
     "examples": ["12 g*mm"],
+    "x-unit": "kg*m",
 }
 
 
@@ -107,7 +108,7 @@ class Products:
 class Body:
     """A body whose mass centre is off the axis, or which is set askew."""
 
-    name: Name | None = None
+    name: Annotated[Name | None, Field(description="for the tables")] = None
     mass: PositiveMass = field(kw_only=True)
     eccentricity: Distance = 0.0
     angle: Annotated[Angle, Field(description="direction of the eccentricity, from x")] = 0.0

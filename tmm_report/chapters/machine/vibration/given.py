@@ -76,7 +76,7 @@ class Absorber:
         tuple[Scale, Scale] | None,
         Field(description="parts of the working frequency between which no natural one may lie"),
     ] = None
-    springs: Annotated[int, whole(1, 1000)] = 1
+    springs: Annotated[Annotated[int, whole(1, 1000)], Field(description="how many hold the mass")] = 1
     arm: ClassVar[None] = None
 
     @property
@@ -93,7 +93,7 @@ class TurningAbsorber:
         tuple[Scale, Scale] | None,
         Field(description="parts of the working frequency between which no natural one may lie"),
     ] = None
-    springs: Annotated[int, whole(1, 1000)] = 1
+    springs: Annotated[Annotated[int, whole(1, 1000)], Field(description="how many hold the disc")] = 1
     arm: Annotated[Positive | None, Field(description="of the springs, from the axis")] = None
 
 

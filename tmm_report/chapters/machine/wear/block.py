@@ -99,7 +99,7 @@ class RunningInModel(Model):
 class GuideModel(Model):
     """A slider on a fixed guide."""
 
-    guide: Name
+    guide: Name = Field(description="its name")
     slider: Name | None = Field(default=None, description="its link, where several slide on the guide")
     length: Positive = Field(description="of the slider", examples=["300 mm"])
     width: Positive = Field(description="of the faces", examples=["120 mm"])
@@ -109,7 +109,9 @@ class GuideModel(Model):
     couple: AnySides | None = Field(
         default=None, description="at the pressure of the moment; left out, as of the central reaction"
     )
-    parts: Annotated[int, whole(4, 1000)] = PARTS
+    parts: Annotated[int, whole(4, 1000)] = Field(
+        default=PARTS, description="into how many the face is divided along the guide"
+    )
     density: Density | None = Field(default=None, description="for the mass worn off")
     limit: Positive | None = Field(default=None, description="of the wear: then the life follows")
     running_in: RunningInModel | None = None
@@ -132,7 +134,9 @@ class PivotModel(Model):
     width: Positive = Field(description="of the bushing, along its axis")
     arc: Arc = Field(default=3.1415926535897931, description="angle over which the two touch")
     law: Literal["cosine", "uniform"] = Field(default="cosine", description="of the pressure over the arc")
-    sectors: Annotated[int, whole(8, 360)] = SECTORS
+    sectors: Annotated[int, whole(8, 360)] = Field(
+        default=SECTORS, description="into how many the surface is divided around"
+    )
     cycles: Cycles
     coefficient: AnyHalves
     density: Density | None = None

@@ -65,8 +65,8 @@ def _above(number: float, written: Any) -> float:
     raise WrongValue(wrong, Message(N_("a number greater than zero, its sense is that of the drive")))
 
 
-RATE = {"type": ["number", "string"], "description": "m/s, or rpm or rad/s"}
-LOAD = {"type": ["number", "string"], "description": "a force, or a mass whose weight it is"}
+RATE = {"type": ["number", "string"], "description": "m/s, or rpm or rad/s", "x-unit": "m/s, rad/s"}
+LOAD = {"type": ["number", "string"], "description": "a force, or a mass whose weight it is", "x-unit": "N"}
 
 
 @dataclass(frozen=True)

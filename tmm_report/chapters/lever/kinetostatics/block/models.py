@@ -70,7 +70,10 @@ class LoadsModel(Model):
         default=9.81, description="downwards unless {value, direction}; 0 switches it off"
     )
     curves: dict[Label, AnyCurve] = Field(
-        default={}, max_length=60, description="curves that several loads have, by their names"
+        default={},
+        max_length=60,
+        description="curves that several loads have, by their names",
+        examples=["{gas: {forward: [[0, 1], [1, 0.1]], back: [[0, 0], [1, 1]]}}"],
     )
     # None: the hole of a load that is wrong in itself; what is solved has none, and is another record therefore
     forces: list[AnyForce | None] = Field(default=[])

@@ -279,7 +279,9 @@ class ZeroModel(Model):
     angle: AnyAngle | None = Field(default=None, description="of the driving link's x axis")
     point: Name | None = Field(default=None, description="the point that is at its extreme")
     link: Name | None = Field(default=None, description="the rocker that is at its extreme")
-    extreme: Literal["right", "left", "up", "down", "clockwise", "counter-clockwise"] | None = None
+    extreme: Literal["right", "left", "up", "down", "clockwise", "counter-clockwise"] | None = Field(
+        default=None, description="which extreme position: a side of a point, a sense of turning of a link"
+    )
 
     @model_validator(mode="after")
     def one_way(self) -> "ZeroModel":
@@ -337,6 +339,7 @@ DriverSpeed = Annotated[
                 {"type": "string", "pattern": r"^\s*synthesis\."},
             ],
             "examples": ["1200 rpm", "drive"],
+            "x-unit": _SPEED.schema["x-unit"],
         },
         "speed",
     ),
