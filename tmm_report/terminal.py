@@ -180,6 +180,9 @@ def _with_program(args: list[str]) -> list[str]:
 # ---------------------------------------------------------------- help and the shell
 
 
+USAGE: type[Exception] = typer.BadParameter.__bases__[0]  # UsageError, for which typer has no name
+
+
 class Spoken(TyperGroup):
     """The commands: their help, and what is said of mistakes of the command line, in the user's language."""
 
@@ -187,6 +190,28 @@ class Spoken(TyperGroup):
         given = list(sys.argv[1:] if args is None else args)
         _speak(self, languages.users(), "--help" in given or not given)
         return super().main(args, *more, **named)
+
+    def make_context(self, *given: Any, **named: Any) -> Any:
+        with self._spoken():
+            return super().make_context(*given, **named)
+
+    def invoke(self, ctx: Any) -> Any:
+        with self._spoken():
+            return super().invoke(ctx)
+
+    @contextmanager
+    def _spoken(self) -> Iterator[None]:
+        """Mistakes of the command line in the user's language: nothing is loaded for who makes none."""
+        try:
+            yield
+        except USAGE as mistake:
+            language = users_language()
+            if not languages.LANGUAGES[language].ids:
+                from tmm_report.i18n import Translator
+                from tmm_report.misused import in_language
+
+                in_language(mistake, Translator(language).gettext, partial(typer.echo, err=True))
+            raise
 
 
 def _speak(group: TyperGroup, language: str, helping: bool) -> None:

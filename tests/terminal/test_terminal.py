@@ -104,6 +104,31 @@ def test_help_is_in_the_language_of_the_system():
     assert "Команды 'nope' нет" in run("nope", **russian).output
 
 
+@pytest.mark.parametrize(
+    ("words", "english", "russian"),
+    [
+        (["solv"], "Did you mean 'solve'?", "Команды 'solv' нет; может быть, 'solve'?"),
+        (["solve", "--opn"], "No such option: --opn (Possible", "ключа --opn нет (может быть, --open"),
+        (["solve"], "Missing argument 'variant'.", "не указано 'variant'."),
+        (["solve", "a", "b"], "unexpected extra argument", "лишнее в команде: b"),
+        (["solve", "a", "--lang"], "requires an argument", "ключ '--lang' требует значения."),
+        (
+            ["batch", "a", "-o", "b", "--jobs", "x"],
+            "valid integer",
+            "неверное значение '--jobs': нужно целое число",
+        ),
+    ],
+)
+def test_a_wrong_command_line_is_told_in_the_language_of_the_system(words, english, russian):
+    """What typer itself says, whose words are found in it here: another version of it may word them otherwise."""
+    known, told = run(*words), run(*words, LANG="ru_RU.UTF-8", LC_ALL="")
+    assert known.exit_code == told.exit_code == 2
+    assert "Error: " in known.output and english in known.output and not re.search("[а-я]", known.output)
+    assert f"Ошибка: {russian}" in told.output
+    assert ("Usage: " in known.output) == ("Справка: " in told.output) == ("Вызов: " in told.output)
+    assert not re.search(r"Error|Try|Usage", told.output)
+
+
 def test_help_loads_no_translations_for_who_solves():
     program = (
         "import sys; from tmm_report.cli import app\n"

@@ -46,4 +46,8 @@ FAULTS = (
           tests=SHOWN),
     Fault("a first hour: help of commands alone is translated", "tmm_report/terminal.py",
           "one.help = say(one.help)", "one.help = one.help", tests=SHOWN),
+    Fault("a first hour: mistakes of the command line in English alone", "tmm_report/misused.py",
+          "return say(told) % found.groupdict()", "return told % found.groupdict()", tests=SHOWN),
+    Fault("a first hour: a wrong command line loses what was wrong", "tmm_report/misused.py",
+          'write(say(ERROR) % {"a": said(error.format_message(), say)})', 'write(say(ERROR) % {"a": ""})', tests=SHOWN),
 )  # fmt: skip
