@@ -9,13 +9,15 @@ import sys
 
 import pytest
 from conftest import solved
-from notes import VARIANTS
+from exhaustive import many
+from notes import NAMES, VARIANTS
 from typer.testing import CliRunner
 
 from tmm_report.cli import app
 from tmm_report.commands.talk import in_columns
 from tmm_report.i18n import Translator
 from tmm_report.interactive.brief import rows
+from tmm_report.results import tables, values
 from tmm_report.terminal import Console
 
 SHAPER = VARIANTS / "shaper.yaml"
@@ -168,3 +170,42 @@ def test_words_are_completed(words, found):
         [sys.executable, "-c", program], env=os.environ | asked, capture_output=True, text=True
     )
     assert done.stdout.split() == found
+
+
+FIRST_SOUGHT = {  # variant -> (letter, table or values, column or key, row, factor to the printed unit)
+    "descent_brake": ("ω_h", "values", "governor_brake_held", 0, 1),
+    "engine_balance": ("M_max", "engine_greatest", "after", 1, 1),
+    "function_generator": ("a", "values", "synthesis_crank", 0, 1000),
+    "jack_and_belt": ("T_1", "contacts_4", "T_1", 0, 1),
+    "machine_train": ("η", "values", "eta_whole", 0, 1),
+}
+
+
+@pytest.mark.parametrize("name", FIRST_SOUGHT)
+def test_what_is_looked_for_first_stands_in_the_results(name):
+    """The other way: by the tables and values of results.json."""
+    letter, where, key, row, factor = FIRST_SOUGHT[name]
+    results = solved(name)
+    if where == "values":
+        right = next(value.value for value in values(results) if value.key == key)
+    else:
+        (table,) = (one for one in tables(results) if one.name == where)
+        right = next(column.values[row] for column in table.columns if column.quantity.key == key)
+    printed = [float(text) for _, symbol, text, _ in rows(results, Translator("en")) if symbol == letter]
+    assert printed and printed[0] == pytest.approx(right * factor, rel=1e-4)
+
+
+@pytest.mark.parametrize("name", many(NAMES, 8))
+def test_every_ready_variant_says_something_first(name):
+    found = rows(solved(name), Translator("ru"))
+    assert 1 <= len(found) <= 20
+    assert len({meaning for meaning, *_ in found}) == len(found)
+    assert not [one for one in found if re.search(r"\b(pair|bal|max|min)\b", f"{one[0]} {one[1]}")]
+
+
+def test_letters_of_the_table_are_those_of_the_note():
+    letters = {
+        language: [row[1] for row in rows(solved("shaper"), Translator(language))]
+        for language in ("ru", "en")
+    }
+    assert "M_ур" in letters["ru"] and "M_bal" in letters["en"]

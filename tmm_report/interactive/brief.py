@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from html import escape
 
 from tmm_report.course import Results
@@ -27,14 +28,15 @@ def _row(value: Value, tr: Translator) -> Row:
     quantity = value.quantity
     unit = quantity.printed
     shown = value.value * factor(value.unit, unit) if unit != value.unit else value.value
-    symbol = lettered(str(quantity.symbol)) if quantity.symbol is not None else ""
+    symbol = lettered(str(quantity.symbol), tr.in_index) if quantity.symbol is not None else ""
     text = number(float(shown), DIGITS, tr.decimal)
     return quantity.meaning.render(tr.gettext), symbol, text, unit_text(unit, tr.language) if unit else ""
 
 
-def lettered(symbol: str) -> str:
-    """A symbol with its Greek letters: ω_1."""
-    return re.sub(r"[A-Za-z]+", lambda word: GREEK.get(word[0], word[0]), symbol)
+def lettered(symbol: str, say: Callable[[str], str] = str) -> str:
+    """A symbol with its Greek letters, ω_1; `say` translates the words of an index, M_bal."""
+    base, *index = re.sub(r"[A-Za-z]+", lambda word: GREEK.get(word[0], word[0]), symbol).split("_")
+    return "_".join([base, *(re.sub(r"[A-Za-z]+", lambda word: say(word[0]), part) for part in index)])
 
 
 def heading(results: Results, tr: Translator) -> str:

@@ -81,6 +81,11 @@ def values(found: Found) -> Iterator[Value]:
     return found.s.values()
 
 
+def headline(found: Found) -> Iterator[Value]:
+    """What is looked for first: the lengths, the greatest pressure angle or the least transmission angle."""
+    return (found.s[key] for key in (*found.design.lengths, "pressure", "transmission") if key in found.s)
+
+
 def offered(key: str) -> Quantity:
     """What the mechanism takes as `synthesis.KEY`."""
     return Values.DECLARED[key].named(Values.PREFIX)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 from tmm_report.chapters.machine.contacts.given import Rough
 from tmm_report.chapters.machine.contacts.solve import Found, Solved
@@ -50,6 +51,27 @@ def _ends(item: Solved) -> tuple[float, float]:
     """The range of the table, where the materials are stated."""
     stock = item.of.stock if isinstance(item.of, Rough) else None
     return (stock.range if stock is not None else None) or (math.nan, math.nan)
+
+
+SOUGHT = (
+    "eta",
+    "M_screw",
+    "T_1",
+    "T_2",
+    "P",
+    "M_wear",
+    "M_drum",
+    "F_in",
+)  # what is looked for first, of any pair
+
+
+def headline(found: Found) -> Iterator[Value]:
+    """Of each pair with friction what it has of these; its number stands behind the meaning."""
+    for item in found.items:
+        for key in (one for one in SOUGHT if one in item.s):
+            own = item.s.named(key)
+            text = Message(N_("%(what)s, pair %(n)s"), {"what": own.meaning, "n": item.number})
+            yield replace(item.s[key], quantity=replace(own, key=f"{item.s.table}_{key}", meaning=text))
 
 
 @tabulated

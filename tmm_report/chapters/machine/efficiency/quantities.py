@@ -8,6 +8,8 @@ from tmm_report.chapters.machine.efficiency.solve import Found
 from tmm_report.quantity.model import Table, Value
 from tmm_report.quantity.tabulated import tabulated
 
+HEADLINE = ("eta_whole", "P_in_whole", "P_out_whole")  # what is looked for first
+
 
 @tabulated
 def tables(found: Found) -> Iterator[Table]:

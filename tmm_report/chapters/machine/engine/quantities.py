@@ -38,6 +38,18 @@ def values(found: Found) -> Iterator[Value]:
     yield from found.s.values()
 
 
+def headline(found: Found) -> Iterator[Value]:
+    """What is looked for first: what shakes the engine, and the counterweight."""
+    names = {"force": N_("greatest inertia force"), "couple": N_("greatest moment of the inertia forces")}
+    for of, text in names.items():
+        symbol = Symbol(KINDS[of].letter, "max")
+        yield Quantity(f"engine_{of}_most", symbol, KINDS[of].unit, Message(text)).value(
+            found.greatest("after", of)
+        )
+    if "m_cw" in found.s:
+        yield found.s["m_cw"]
+
+
 @tabulated
 def tables(found: Found) -> Iterator[Table]:
     yield _table("cylinders", N_("cylinders of the engine"), _cylinders(found))

@@ -28,6 +28,10 @@ HEADLINE = (
     "governor_effort",
     "governor_omega_0",
     "governor_omega_h",
+    "governor_brake_contact",
+    "governor_brake_held",
+    "governor_brake_power",
+    "governor_brake_settled",
 )  # what is looked for first
 
 if TYPE_CHECKING:
