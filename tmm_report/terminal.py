@@ -207,10 +207,10 @@ class Spoken(TyperGroup):
         except USAGE as mistake:
             language = users_language()
             if not languages.LANGUAGES[language].ids:
-                from tmm_report.i18n import Translator
+                from tmm_report.i18n import said
                 from tmm_report.misused import in_language
 
-                in_language(mistake, Translator(language).gettext, partial(typer.echo, err=True))
+                in_language(mistake, partial(said, language), partial(typer.echo, err=True))
             raise
 
 

@@ -11,7 +11,7 @@ import jsonschema
 import pytest
 from format_reference import ENGLISH, Reference, _at
 from notes import VARIANTS
-from russian import RUSSIAN
+from russian_reference import RUSSIAN
 
 from tmm_report.loading import schema
 from tmm_report.quantity import units

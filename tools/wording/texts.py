@@ -29,7 +29,13 @@ Text = tuple[str, str | tuple[str, ...], str | None]
 """File, message id, context."""
 
 COMMAND_LINE = (
-    *("tmm_report/cli.py", "tmm_report/terminal.py", "tmm_report/loading.py", "tmm_report/languages.py"),
+    *(
+        "tmm_report/cli.py",
+        "tmm_report/terminal.py",
+        "tmm_report/misused.py",
+        "tmm_report/loading.py",
+        "tmm_report/languages.py",
+    ),
     *("tmm_report/course.py", "tmm_report/backwards.py", "tmm_report/results.py"),
     *("tmm_report/commands/*", "tmm_report/assignments/*", "tmm_report/interactive/*"),
     *("tmm_report/lint/*", "tmm_report/running/*", "tmm_report/variant/*", "tmm_report/mechanics/*"),
