@@ -101,8 +101,7 @@ def _sound(department: Department) -> yamlread.Document:
 
 def schema(language: str = FALLBACK) -> dict[str, Any]:
     """The JSON Schema (draft 2020-12) of the format, for editors; what its keys mean is said in the language."""
-    from tmm_report.variant.described import translated
-    from tmm_report.variant.editor import schema_of  # only `tmm-report schema` needs it
+    from tmm_report.variant.editor import schema_of, translated  # only `tmm-report schema` needs it
 
     kinds = "a lever mechanism, a cam, a gear train or drive, an eccentric mechanism, or several of them"
     made = schema_of([block.Block for block in _rooms().all()], f"A variant of a course project: {kinds}.")

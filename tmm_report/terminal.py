@@ -5,6 +5,7 @@ from __future__ import annotations
 import atexit
 import gc
 import os
+import re
 import sys
 import threading
 import unicodedata
@@ -205,12 +206,11 @@ class Spoken(TyperGroup):
         try:
             yield
         except USAGE as mistake:
-            language = users_language()
+            language = languages.users()
             if not languages.LANGUAGES[language].ids:
                 from tmm_report.i18n import said
-                from tmm_report.misused import in_language
 
-                in_language(mistake, partial(said, language), partial(typer.echo, err=True))
+                _in_language(mistake, partial(said, language), partial(typer.echo, err=True))
             raise
 
 
@@ -248,6 +248,45 @@ def _speaking(context: Any, say: Callable[[str], str]) -> Any:
             super().write_dl([(name, say(text)) for name, text in rows], *more, **named)
 
     return type(context.__name__, (context,), {"formatter_class": Formatter})
+
+
+_HINT, _ERROR = N_("Try '%(a)s' for help."), N_("Error: %(a)s")
+_TOLD = (  # what typer says of a wrong command line, for which it asks no gettext; the first that fits
+    N_("No such option: %(a)s (Possible options: %(b)s)"),
+    N_("No such option: %(a)s"),
+    N_("Missing argument %(a)s."),
+    N_("Missing option %(a)s."),
+    N_("Option %(a)s requires an argument."),
+    N_("Option %(a)s does not take a value."),
+    N_("Got unexpected extra argument(s) (%(a)s)"),
+    N_("Invalid value for %(a)s: Input should be a valid integer, unable to parse string as an integer"),
+    N_("Invalid value for %(a)s: Input should be a valid number, unable to parse string as a number"),
+    N_("Invalid value for %(a)s: %(b)s"),
+    N_("%(a)s. Did you mean %(b)s?"),
+)
+
+
+def _retold(text: str, say: Callable[[str], str]) -> str:
+    """A mistake that typer tells, translated; as it is where it is none of those known."""
+    for told in _TOLD:
+        pattern = re.sub(r"%\\\((\w)\\\)s", r"(?P<\1>.+)", re.escape(told))
+        if found := re.fullmatch(pattern, text, re.S):
+            return say(told) % found.groupdict()
+    return text
+
+
+def _in_language(mistake: Any, say: Callable[[str], str], write: Callable[[str], None]) -> None:
+    """Let a mistake of the command line show itself in a language."""
+    if type(mistake).__name__ != "NoArgsIsHelpError":  # which is the help itself
+        mistake.show = partial(_show, mistake, say, write)
+
+
+def _show(error: Any, say: Callable[[str], str], write: Callable[[str], None], file: Any = None) -> None:
+    if error.ctx is not None:
+        usage = error.ctx.get_usage()
+        write(usage.replace("Usage:", say("Usage:"), 1))
+        write(f"{say(_HINT) % {'a': f'{error.ctx.command_path} --help'}}\n")
+    write(say(_ERROR) % {"a": _retold(error.format_message(), say)})
 
 
 OF_TYPER = (

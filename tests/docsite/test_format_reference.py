@@ -13,9 +13,10 @@ from format_reference import ENGLISH, Reference, _at
 from notes import VARIANTS
 from russian_reference import RUSSIAN
 
+from tmm_report.languages import LANGUAGES
 from tmm_report.loading import schema
 from tmm_report.quantity import units
-from tmm_report.variant import described, russian
+from tmm_report.variant import editor, russian
 from tmm_report.yamlread import loads, read
 
 READY = {file.stem: read(file).data for file in sorted(VARIANTS.glob("*.yaml"))}
@@ -49,7 +50,7 @@ def maps(node: Any) -> Iterator[dict[str, Any]]:
     """Every map of keys of the schema, wherever it stands: what has a text by languages is none."""
     if isinstance(node, dict):
         found = node.get("properties")
-        if isinstance(found, dict) and set(found) != {"ru", "en"}:
+        if isinstance(found, dict) and set(found) != {*LANGUAGES}:
             yield found
         for one in node.values():
             yield from maps(one)
@@ -178,14 +179,14 @@ def said(node: Any) -> Iterator[str]:
 
 
 def test_every_description_has_its_russian_and_no_other_is_kept():
-    known, english = described.meanings("ru"), set(said(schema()))
+    known, english = editor.meanings("ru"), set(said(schema()))
     missing = [
-        text for text in english if described.meaning(text, "ru") == text and re.search(r"[a-z]{3}", text)
+        text for text in english if editor.meaning(text, "ru") == text and re.search(r"[a-z]{3}", text)
     ]
     codes = re.compile(r"^(b/D|b/h|h/D)|^[\[{]|^A$")
     assert not [text for text in missing if not codes.search(text)]
-    measured = {match["name"] for text in english if (match := described._MEASURED.fullmatch(text))}
-    assert {*known} - english - measured - {described.MEASURED, "0 … 360 deg of every turn"} <= {
+    measured = {match["name"] for text in english if (match := editor._MEASURED.fullmatch(text))}
+    assert {*known} - english - measured - {editor.MEASURED, "0 … 360 deg of every turn"} <= {
         dimension.name for dimension in units.DIMENSIONS.values()
     }
 
@@ -193,8 +194,8 @@ def test_every_description_has_its_russian_and_no_other_is_kept():
 def test_a_translation_keeps_what_is_written_as_it_is():
     """Keys in backquotes, braces of an example, `synthesis.crank`."""
     code = re.compile(r"`[^`]+`|\{(?!ru)[^}]*\}|\d+ (?:deg|mm|kg/m)\b")
-    for text, russian_text in described.meanings("ru").items():
-        kept = [one for one in code.findall(text) if one not in russian_text and text != described.MEASURED]
+    for text, russian_text in editor.meanings("ru").items():
+        kept = [one for one in code.findall(text) if one not in russian_text and text != editor.MEASURED]
         assert not kept or text.startswith("0 … 360"), (text, kept)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from format_reference import Words
 
 from tmm_report.quantity.text import unit_text
-from tmm_report.variant.described import limits, meaning
+from tmm_report.variant.editor import limits, meaning
 from tmm_report.variant.russian import called
 
 RUSSIAN = Words(
