@@ -46,13 +46,12 @@ def test_every_formula_of_a_note_says_the_same(name):
 
 
 def rejoined(lines):
-    """The lines as one formula, each sign that is repeated once."""
+    """The lines as one formula: the sign at the end of each begins the next, too."""
     whole = of_omml(lines[0])
     for line in lines[1:]:
         row = of_omml(line)
-        if whole[-1] == row[0] and row[0] in (*SIGNS, "×"):
-            row = row[1:]
-        whole += row
+        assert whole[-1] == row[0] and row[0] in (*SIGNS, "×")
+        whole += row[1:]
     return crossless(whole)
 
 
