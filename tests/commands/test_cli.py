@@ -201,7 +201,7 @@ def test_a_broken_driver_does_not_hide_a_missing_link(tmp_path):
 def test_missing_file_and_bad_options(tmp_path):
     assert run("solve", tmp_path / "none.yaml").exit_code == 2
     assert run("solve", tmp_path).exit_code == 2
-    done = run("solve", COMPRESSOR, "--format", "docx", "-o", tmp_path / "out")
+    done = run("solve", COMPRESSOR, "--format", "odt", "-o", tmp_path / "out")
     assert done.exit_code == 2 and "html, tex, json, csv" in done.output
     assert run("solve", COMPRESSOR, "--lang", "de").exit_code == 2
     assert not (tmp_path / "out").exists()

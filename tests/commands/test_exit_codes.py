@@ -138,7 +138,7 @@ def test_2_mistakes_of_a_variant_and_nothing_is_written(tmp_path):
 @pytest.mark.parametrize(
     "arguments",
     [
-        ("solve", ROCKER, "--format", "docx"),
+        ("solve", ROCKER, "--format", "odt"),
         ("solve", ROCKER, "--lang", "xx"),
         ("assign", "none.yaml"),
         ("new", ROCKER),

@@ -128,13 +128,13 @@ def _sign(piece: Sequence[Element]) -> str:
 
 
 def _cut(piece: list[Element], line: float) -> Iterator[list[Element]]:
-    """A piece that a line holds, or its factors."""
+    """A piece that a line holds, or its terms and factors; the sign of the first term stays with its relation."""
     if _all(piece) <= line - 1.0:
         yield piece
         return
     row: list[Element] = []
     for node in piece:
-        if row and _kind(node) == "r" and _said(node) == "·":
+        if len(row) > bool(_sign(row)) and _kind(node) == "r" and _said(node) in _SIGNS:
             yield row
             row = []
         row.append(node)
