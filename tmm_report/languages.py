@@ -43,7 +43,7 @@ class Language:
     alphabet: str = ""
     plurals: str = ""
     letters: str = "ABCDEFGHJKLMNPQRSTUVWXYZ"
-    cited: str = ", "
+    cited: str = ",\N{NO-BREAK SPACE}"
 
     @property
     def babel_options(self) -> str:
@@ -63,7 +63,7 @@ LANGUAGES = {
             "comma",
             babel="russian",
             letters="АБВГДЕЖИКЛМНПРСТУФХЦШЩЭЮЯ",
-            cited="; ",
+            cited=";\N{NO-BREAK SPACE}",
             alphabet="абвгдеёжзийклмнопрстуфхцчшщъыьэюя",
         ),
         Language("en", "English", "point", babel="english", beside="russian", ids=True),

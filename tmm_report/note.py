@@ -4,11 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import partial
+from functools import partial, reduce
 from types import ModuleType
 from typing import Any
 
-from tmm_report.course import BEFORE, INITIAL_DATA, LEVER, Depth, Results, chapters, doubts, left_out, room
+from tmm_report.course import (
+    BEFORE,
+    INITIAL_DATA,
+    LEVER,
+    SECTIONS,
+    Depth,
+    Results,
+    chapters,
+    doubts,
+    left_out,
+    room,
+)
 from tmm_report.figures.drawing import Drawing
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message
@@ -58,9 +69,14 @@ def _undone(results: Results) -> Iterator[Message]:
             "The mechanism does not close over the whole cycle; these parts of the project are therefore left out: "
             "%(blocks)s."
         )
-        yield Message(text, {"blocks": ", ".join(blocks)})
+        titles = (Message(N_("“%(title)s”"), {"title": Message(SECTIONS[name])}) for name in blocks)
+        yield Message(text, {"blocks": reduce(_listed, titles)})
     for problem in doubts(results) if results.lever is None else ():  # else they stand under the initial data
         yield Message(N_("To be checked: %(what)s."), {"what": problem.said})
+
+
+def _listed(these: Message, one: Message) -> Message:
+    return Message("%(these)s, %(one)s", {"these": these, "one": one})
 
 
 def parts(results: Results, page: Page) -> Iterator[Part]:

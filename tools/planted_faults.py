@@ -43,6 +43,7 @@ from plants import living as faults_living  # noqa: E402
 from plants import note as faults_depth  # noqa: E402
 from plants import paper as faults_paper  # noqa: E402
 from plants import stages as faults_stages  # noqa: E402
+from plants import text as faults_text  # noqa: E402
 from plants import typst as faults_typst  # noqa: E402
 from plants import word as faults_word  # noqa: E402
 
@@ -59,6 +60,7 @@ FAULTS = (
     *faults_living.FAULTS,
     *faults_gears.FAULTS,
     *faults_stages.FAULTS,
+    *faults_text.FAULTS,
     *faults_typst.FAULTS,
     *faults_word.FAULTS,
     *faults_edges.FAULTS,

@@ -21,6 +21,7 @@ _AGAIN = re.compile(
     r'<math class="again"[^>]*><mo [^>]*>[^<]*</mo></math><br/>'
 )  # a sign repeated at a line's end
 _CROSS = '<math><mo form="infix">×</mo>'  # with which a product goes on in the next line
+_KEPT = re.compile(r'<span class="kept">(.*?)</span>', re.S)  # that no line ends beside a formula
 _MAIN = re.compile(r"<main>.*</main>", re.S)
 
 
@@ -437,7 +438,7 @@ def _inside(node: Element) -> str:
 
 def read(html: str) -> Note:
     """A note of HTML; its drawings are kept as text."""
-    match = _MAIN.search(html.replace("\N{WORD JOINER}", ""))
+    match = _MAIN.search(_KEPT.sub(r"\1", html.replace("\N{WORD JOINER}", "")))
     if match is None:
         raise ValueError("a note has a <main>")
     drawings: dict[str, str] = {}

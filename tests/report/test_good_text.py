@@ -32,6 +32,7 @@ from tmm_report.report.sources import SOURCES
 CHAPTERS = Path(__file__).resolve().parents[2] / "templates" / "chapters"
 QUICK = ["compressor-ru", "governor_servo-en"]
 NOTES = [*QUICK, *sorted({f"{name}-{language}" for name in NAMES for language in LANGUAGES} - {*QUICK})]
+JOINER = "\N{WORD JOINER}"
 each = pytest.mark.parametrize("name", many(NOTES, len(QUICK)))
 
 
@@ -52,8 +53,21 @@ def test_sources_cited_together_are_parted_as_in_the_language(name):
     variant, _, language = name.rpartition("-")
     text = note(variant, "html", language)["note.html"].decode()
     between = re.findall(r"</a>([^<]+)<a href=\"#source", text)
-    assert {one for one in between if one.strip() in (",", ";")} <= {{"ru": "; ", "en": ", "}[language]}
+    sign = {"ru": ";", "en": ","}[language]
+    assert {one for one in between if one.strip() in (",", ";")} <= {f"{sign}\N{NO-BREAK SPACE}"}
     assert between or name not in QUICK
+
+
+@each
+def test_sources_are_numbered_in_the_order_in_which_the_text_cites_them(name):
+    """Whatever was put off into an appendix; those that are cited together stand in order."""
+    variant, _, language = name.rpartition("-")
+    text = note(variant, "html", language)["note.html"].decode()
+    numbers = [int(one) for one in re.findall(r'href="#source(\d+)"', text)]
+    assert list(dict.fromkeys(numbers)) == list(range(1, max(numbers) + 1))
+    for group in re.findall(r"\[(<a href=\"#source.*?)\]", text):
+        together = [int(one) for one in re.findall(r"#source(\d+)", group)]
+        assert together == sorted(set(together))
 
 
 @each
@@ -67,6 +81,17 @@ def test_no_line_ends_between_a_number_and_its_unit(name):
     parted = [text for text in texts if re.search(rf"\d (?:{units})(?!\w)", text)]
     settings = rf"[\w ]+, [\d.,]+ {unit_text('mm', language)}"
     assert not [text for text in parted if not re.fullmatch(settings, text)]
+
+
+@each
+def test_no_line_ends_within_a_unit_or_within_the_name_of_a_stage(name):
+    """As a browser would end it behind a slash and behind a hyphen before a letter."""
+    variant, _, language = name.rpartition("-")
+    text = note(variant, "html", language)["note.html"].decode()
+    words = re.sub(r"<(svg|math|table|script|style|h[1-6])\b.*?</\1>|<[^>]*>", " ", text, flags=re.S)
+    units = rf"(?<![\w./-])(?:рад|об|м|кг|Н|rad|rev|m|kg|N)/{JOINER}?(?:с|мин|м|рад|s|min|m|rad)(?!\w)"
+    found = re.findall(rf"{units}|\d['′]?-{JOINER}?H\b", words)
+    assert not [one for one in found if JOINER not in one] and (found or name not in QUICK)
 
 
 def test_every_source_is_cited_by_a_template():
@@ -116,7 +141,7 @@ WRONG = {  # what the terms of the course are not called: ISO 1122 and IFToMM in
     r"|(?i:add up to nothing|is wanting|\ball over its\b|\bat the most\b|\bis nil\b)"
     r"|(?i:derivatives? [^.:;%]* by the angle)",
     "ru": r"активное средство|амортизатор|коэффициент\w* виброизоляции|Расчёт ведётся|Формула строения"
-    r"|(?i:демпфирование лежит|частота оборотов)|—",
+    r"|(?i:демпфирование лежит|частота оборотов)|—|^[xy] точки|одни пары стойки|оставляет из них|^Покоя$",
 }
 
 

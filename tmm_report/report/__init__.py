@@ -128,8 +128,8 @@ def _written(
     body = [chapter(part.template, view=part.view) for part in parts]
     left_out, concluded = list(map(page.message, undone)), _conclusions(parts)
     body += [chapter("conclusions", lines=[*left_out, *concluded])]
-    if page.cited:
-        body.append(chapter("references"))
+    if page.cited.names:
+        body.append(chapter("references", names=page.cited.order("".join(body))))
     if page.appendices:
         body.append(chapter("appendices"))
     # what stands in front tells of what the note has
@@ -144,6 +144,7 @@ def _written(
         given, head=head, body=body, frames=frames, **_own_files(given, page)
     )
     text = page.numbering.resolved(text, page.note.whole and own is None)
+    text = page.cited.resolved(text)
     return joined(text, fmt, page.called("where"), page.called("here"), page.profile.dash_sign)
 
 

@@ -38,7 +38,7 @@ from tmm_report.report.paper import layout
 from tmm_report.report.paper.layout import Cell, Words, runs
 from tmm_report.report.paper.sheets import Paper
 from tmm_report.report.part import WHOLE, Note
-from tmm_report.report.sources import SOURCES
+from tmm_report.report.sources import SOURCES, Cited
 from tmm_report.report.symbol_list import SymbolList, thing
 from tmm_report.resources import data_root
 
@@ -142,7 +142,7 @@ class Page:
         self.numbering.scheme = self.profile.numbers
         self.appendices: list[Appendix] = []
         self.symbols = SymbolList()
-        self.cited: list[str] = []
+        self.cited = Cited(tr.cited)
         self._made: dict[tuple[Any, ...], Any] = {}
 
     def once(self, make: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
@@ -285,14 +285,8 @@ class Page:
 
     # ------------------------------------------------------------ sources
 
-    def source(self, name: str) -> int:
-        """The number of a source in the list of references, which has those that are cited, in their order."""
-        if name not in self.cited:
-            self.cited.append(name)
-        return self.cited.index(name) + 1
-
-    def references(self) -> list[Markup]:
-        return [self.t(SOURCES[name]) for name in self.cited]
+    def references(self, names: Iterable[str]) -> list[Markup]:
+        return [self.t(SOURCES[name]) for name in names]
 
     def behind(self, cited: Markup) -> Markup:
         """Sources that a paragraph names within the sentence before, in front of its stop."""
@@ -428,6 +422,11 @@ class Page:
         """`cell` in running text."""
         cell = self.cell(of, *args, **form)
         return self.form.marked(cell, cell.ref)
+
+    @staticmethod
+    def nothing(of: Value) -> bool:
+        """Whether a relative number is nothing but the error of rounding."""
+        return abs(of.value) < ROUNDING
 
     def bound(self, of: Value | Table, key: str = "", row: int = 0) -> Markup:
         """A relative difference that is not exceeded; what is nothing but rounding is said so."""

@@ -6,6 +6,11 @@ standards with their full designation.
 
 from __future__ import annotations
 
+import re
+from secrets import token_hex
+
+from markupsafe import Markup
+
 from tmm_report.problems import N_
 
 SOURCES = {
@@ -57,3 +62,42 @@ SOURCES = {
     "vibration": N_("Den Hartog J. P. Mechanical Vibrations. Moscow: Fizmatgiz, 1960. 580 p. (in Russian)."),
     "wear": N_("Kragelsky I. V. Friction and Wear. Moscow: Mashinostroenie, 1968. 480 p. (in Russian)."),
 }
+
+
+class Cited:
+    """The sources of a note, numbered in the order in which its text cites them: that order is known when all of it
+    stands, since what is put off into an appendix is rendered where it was called for. Till then marks stand for the
+    numbers. `between`: sources that are cited together, which are put in order; `begin`, `next`, `end`: marks round and
+    between these."""
+
+    def __init__(self, between: str):
+        self.names: list[str] = []
+        self._between, self._secret = between, f"cited{token_hex(16)}"
+        self.begin, self.next, self.end = (Markup(f"{self._secret}{kind}") for kind in "bce")
+
+    def mark(self, name: str) -> Markup:
+        """Stands for the number of a source."""
+        if name not in self.names:
+            self.names.append(name)
+        return Markup(f"{self._secret}n{self.names.index(name)};")
+
+    def order(self, body: str) -> list[str]:
+        """The names as the body cites them, then those of the appendices alone; they have numbers from now on."""
+        first = dict.fromkeys(self._marks(body))
+        self._order = [*first, *(k for k in range(len(self.names)) if k not in first)]
+        return [self.names[k] for k in self._order]
+
+    def _marks(self, text: str) -> list[int]:
+        return [int(k) for k in re.findall(rf"{self._secret}n(\d+);", text)]
+
+    def resolved(self, text: str) -> str:
+        """The text with numbers in place of the marks."""
+        if not self.names:
+            return text
+
+        def ordered(group: re.Match[str]) -> str:
+            links = group[1].split(self.next)
+            return self._between.join(sorted(links, key=lambda one: self._order.index(self._marks(one)[0])))
+
+        text = re.sub(f"{self.begin}(.*?){self.end}", ordered, text, flags=re.S)
+        return re.sub(rf"{self._secret}n(\d+);", lambda one: str(self._order.index(int(one[1])) + 1), text)

@@ -116,7 +116,7 @@ FAULTS = (
     Fault("a sentence of the flywheel with letters of its own", "templates/chapters/machine/flywheel/methods.j2",
           'great=view.column_sign("methods", "T_1")', 'great=sym("T_1")', tests=("tests/report/test_good_text.py",)),
     Fault("sources cited together as in English", "tmm_report/languages.py",
-          'cited="; ",\n            alphabet="абвг', 'cited=", ",\n            alphabet="абвг',
+          'cited=";\\N{NO-BREAK SPACE}",\n            alphabet="абвг', 'cited=", ",\n            alphabet="абвг',
           tests=("tests/report/test_good_text.py",)),
     Fault("gathered figures of LaTeX lost", "tmm_report/report/formats/__init__.py",
           "_tex_row(row, self.paper) for row in rows)", "_tex_row(row, self.paper) for row in rows[:0])",

@@ -142,6 +142,17 @@ def test_zones_letter_what_lies_on_the_active_part(distance, letters):
     assert {text for text in texts(drawing) if text in "ACPDB"} == set(letters)
 
 
+def test_zones_are_drawn_at_a_round_scale_and_lettered_apart():
+    """A ruler reads them; with a contact ratio of little more than 1, C lies beside A and D beside B."""
+    for distance in (0.130, 0.1322, 0.1329):
+        drawing = zones(spur.solve(spur.Given(-2, 0.006, distance, (14, 28))).mesh, num, str)
+        (scale,) = drawing.scales
+        assert f"{scale.value:.6e}"[:8] in {f"{one:.6e}"[:8] for one in (1.0, 2.0, 2.5, 4.0, 5.0)}
+        boxes = np.array([item.box for item in drawing.items if isinstance(item, Text)])
+        low, high = np.maximum(boxes[:, None, :2], boxes[:, :2]), np.minimum(boxes[:, None, 2:], boxes[:, 2:])
+        assert not np.triu((low < high).all(axis=-1), 1).any()
+
+
 def test_the_line_of_the_pitch_point_does_not_cross_out_a_dimension(mesh):
     """Only the ends of zones are drawn down to the dimensions."""
     drawing = zones(mesh, num, str)
@@ -156,7 +167,7 @@ def test_the_line_of_the_pitch_point_does_not_cross_out_a_dimension(mesh):
 def test_pairs_in_mesh_are_the_contact_ratio_on_the_average(ratio):
     pitch = WIDE / ratio
     at = np.linspace(0, pitch, 40001)[:-1] + 1e-9
-    assert pairs_at(at, pitch).mean() == pytest.approx(ratio, abs=1e-3)
+    assert pairs_at(at, pitch, WIDE).mean() == pytest.approx(ratio, abs=1e-3)
 
 
 @pytest.mark.exhaustive

@@ -14,6 +14,7 @@ import numpy as np
 from markupsafe import Markup
 
 from tmm_report.commands.grade.legend import MARKS, Limits, Mark, Says, mark
+from tmm_report.course import SECTIONS
 from tmm_report.grading.model import HELD, RIGHT, Cause, Digest, Marked, MarkedColumn, Name, Rule
 from tmm_report.grading.year.words import attempt_text, override_text, state_text
 from tmm_report.i18n import Translator
@@ -38,46 +39,6 @@ KEPT_BACK = {
 }
 """Causes whose own sentence says what a student must not read: the factor gives the right numbers away, and whose
 variant it is concerns the teacher."""
-
-_LEVER = N_("Kinetostatic analysis")
-_DRIVE = N_("Synthesis of the gear drive")
-SECTIONS = {
-    "find": N_("A question asked backwards"),
-    "synthesis": N_("Synthesis of the linkage"),
-    "initial_data": N_("Initial data"),
-    "structure": N_("Structural analysis"),
-    "kinematics": N_("Kinematic analysis by the analytical method"),
-    "plans": N_("Kinematic analysis by the graphical method"),
-    "kinetostatics": _LEVER,
-    "force_plans": _LEVER,
-    "friction": N_("Friction losses and efficiency"),
-    "reduction": N_("Reduction of masses and forces"),
-    "translation": N_("Reduction to a link that slides"),
-    "transmission": N_("Transmission angles"),
-    "press": N_("The press"),
-    "methods": N_("Choice of method"),
-    "dynamics": N_("The machine in motion"),
-    "travel": N_("Motion of the main link along its guide"),
-    "flywheel": N_("The flywheel"),
-    "governor": N_("Speed governor"),
-    "balancing": N_("Balancing of the mechanism on its foundation"),
-    "rotor": N_("Balancing of the rotor"),
-    "engine": N_("Balance of the engine"),
-    "harmonics": N_("Harmonics of the motion"),
-    "vibration": N_("Vibration and its isolation"),
-    "contacts": N_("Friction in single pairs"),
-    "cams": N_("Cam pair"),
-    "cam": N_("Cam mechanism"),
-    "cam_forces": N_("Forces of the cam mechanism"),
-    "efficiency": N_("Efficiency of machines joined"),
-    "wear": N_("Wear"),
-    "train": N_("Gear train"),
-    "drive": _DRIVE,
-    "spur": _DRIVE,
-    "planetary": _DRIVE,
-    "eccentric": N_("Eccentric epicyclic mechanism"),
-}
-"""Chapter -> the section of the note in which the right way stands."""
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 
+_MATH = r"<math\b[^>]*>[^<]*+(?:<(?!/?math\b)[^<]*+)*+</math>"
 _HTML = (
     # formula, then a formula or its explanation
     (r'(</math>(?:</span>)?)(</div>(?:<div class="number">[^<]*</div>)?</div>\s*(?:</div>\s*)?)'
@@ -17,7 +18,11 @@ _HTML = (
     (r'(\.</p>\s*<p class="where"><span class="item">)WHERE ', r"\1HERE "),
     (r'(</table>\s*</div>\s*</div>\s*<p class="where"><span class="item">)WHERE ', r"\1HERE "),
     (r'(:</p>\s*<p class="where"><span class="item">)WHERE ', r"\1"),
-    (r"(</math>(?:</span>)?)(?=[.,;:)](?![^<]*</(?:div|th)>))", "\\1\N{WORD JOINER}"),  # no line begins with a stop
+    # a factor stays with its formula, no line begins with a stop: browsers break beside a formula whatever joins it
+    (rf"(?<=\s)([\d(«]++)({_MATH})([.,;:)]*+)", "<span class=\"kept\">\\1\\2\N{WORD JOINER}\\3</span>"),
+    (rf"({_MATH})([.,;:)]++)(?![^<]*</(?:div|th)>)",
+     "<span class=\"kept\">\\1\N{WORD JOINER}\\2</span>"),
+    (r"(</math></span>)(?=[.,;:)](?![^<]*</(?:div|th)>))", "\\1\N{WORD JOINER}"),
 )  # fmt: skip
 _TEX = (
     (
@@ -61,7 +66,39 @@ def joined(text: str, fmt: str, where: str, here: str, dash: str) -> str:
     for pattern, put in _RULES.get(fmt, ()):
         pattern = pattern.replace("WHERE", re.escape(where))
         text = re.sub(pattern, put.replace("HERE", here.replace("\\", r"\\")), text, flags=re.M)
-    return _dashed(text, fmt, dash)
+    return _dashed(_unbroken(text, fmt), fmt, dash)
+
+
+_APART = re.compile(
+    r"(<(svg|math|table|script|style|h[1-6])\b.*?</\2>)", re.S
+)  # where no line breaks, or it must
+_SLASH = re.compile(  # units: rad/s, (m/s²)/mm, кг·м²/рад
+    r"(?<=[А-Яа-яё²³·)])/(?=[а-яё(])|(?<![\w./\"=-])((?:rad|rev|kg|mm|m|s|N|J|W)(?:·(?:kg|m|s))*[²³]?)/(?=(?:rad|rev|min|kg|mm|m|s)\b)"
+)
+_HYPHEN = re.compile(r"(?<=\d)(['′]?)-(?=[A-ZА-Я]\b)")  # members of a stage: 1-2-3-H
+
+
+def _unbroken(text: str, fmt: str) -> str:
+    """No line of the text ends within a unit or within a name of members, as it would behind a slash or a hyphen."""
+    if fmt == "tex":  # which breaks at hyphens alone, at each
+        before, begin, body = text.partition("\\begin{document}")
+        named = r"(?<![\w{:./\\-])(\d['′]?(?:-\d['′]?)+(?:-[A-ZА-Я])?)(?![\w}:/-])"
+        return before + begin + re.sub(named, r"\\mbox{\1}", body)
+    if fmt == "html":
+        parts = _APART.split(text)
+        return "".join(
+            _glued(parts[k]) + (parts[k + 1] if k + 1 < len(parts) else "") for k in range(0, len(parts), 3)
+        )
+    # headings become bookmarks, which are searched as they are
+    parts = re.split(
+        r"(#note-picture\(.*?</svg>|^#note-(?:heading|contents-line)\([^\n]*)", text, flags=re.S | re.M
+    )
+    return "".join(part if k % 2 else _glued(part) for k, part in enumerate(parts))
+
+
+def _glued(text: str) -> str:
+    text = _SLASH.sub(lambda one: f"{one[1] or ''}/\N{WORD JOINER}", text)
+    return _HYPHEN.sub("\\1-\N{WORD JOINER}", text)
 
 
 _PICTURE = re.compile(r"(<svg.*?</svg>)", re.S)

@@ -358,18 +358,24 @@ class DriveView(ChapterView):
             yield Failed(self.t(text, deviation=deviation, tolerance=self.tolerance))
 
     def _found(self) -> Iterator[Markup]:
-        yield self.t(
-            "The ratio of the gear drive is %(ratio)s; its deviation from the required one is %(deviation)s %%.",
-            ratio=self.sized("u_teeth"),
-            deviation=self.number("delta_u", digits=3),
-        )
-        if not self.found.locks:
-            yield self.t("The efficiency of the gear drive is %(eta)s.", eta=self.number("eta"))
+        if not self._one_planetary:  # else its stage says so
+            text = N_(
+                "The ratio of the gear drive is %(ratio)s; its deviation from the required one is %(deviation)s %%."
+            )
+            if self.page.nothing(self.value("delta_u")):
+                text = N_("The ratio of the gear drive is %(ratio)s, as required.")
+            yield self.t(text, ratio=self.sized("u_teeth"), deviation=self.number("delta_u", digits=3))
+            if not self.found.locks:
+                yield self.t("The efficiency of the gear drive is %(eta)s.", eta=self.number("eta"))
         if self.readable:
             text = N_(
                 "By the diagram of angular velocities the ratio differs from the calculated one by %(error)s %%."
             )
             yield self.t(text, error=self.number("error", size=True, digits=3))
+
+    @property
+    def _one_planetary(self) -> bool:
+        return len(self.found.stages) == 1 and isinstance(self.found.stages[0], planetary.Found)
 
     def _of_power(self) -> Iterator[Markup]:
         """What failed is a conclusion of its own."""

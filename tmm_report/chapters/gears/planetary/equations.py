@@ -58,4 +58,4 @@ def efficiency(of: Stage) -> Expr:
 
 def deviation(of: Stage) -> Expr:
     found, wanted = of.s["u"].var(digits=5), of.s["u_wanted"].var(digits=5)
-    return abs(found - wanted) / abs(wanted) * 100
+    return (found - wanted) / wanted * 100

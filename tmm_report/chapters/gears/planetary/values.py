@@ -60,7 +60,7 @@ class Values(Sheet):
     least_teeth_rounded = Q(None, "", N_("least number of teeth as the course rounds it"))
 
     assembly = Q("C", "", N_("whole number of the assembly condition"))
-    divisor = Q("D", "", N_("greatest common divisor of the teeth of the two crowns"))
+    divisor = Q("q", "", N_("greatest common divisor of the teeth of the two crowns"))
     turns = Q("p", "", TURNS)
     usual_assembly = Q(Symbol("C", "", "′"), "", USUAL)
 

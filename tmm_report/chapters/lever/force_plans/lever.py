@@ -16,7 +16,7 @@ import numpy as np
 
 from tmm_report.chapters.lever.force_plans import lever_quantities as q
 from tmm_report.chapters.lever.force_plans.drafting.plan import Acting, Couple, ForceDrawn
-from tmm_report.chapters.lever.initial_data.quantities import length
+from tmm_report.chapters.lever.initial_data.quantities import segment_between
 from tmm_report.chapters.lever.kinetostatics.quantities.driving_stroke import FORCE
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
 from tmm_report.chapters.lever.plans.solve import Comparison, Plans
@@ -200,7 +200,8 @@ class _Lever:
         if ends is None:
             return
         name, letters, start, end, along, points = ends
-        size = self.worked.number(couple.quantity, abs(couple.value))
+        moment = self.worked.number(couple.quantity, couple.printed)
+        size = moment if couple.printed > 0 else abs(moment)
         formula = self.worked.hand(q.pair_force(couple.quantity), size / self.worked.number(*name))
         self.pairs.append(formula)
         vector = 1j * unit(along) * np.copysign(formula.written, couple.value)
@@ -242,7 +243,10 @@ class _Lever:
                 one, other = far
                 start, end = (self.place(p) or 0j for p in far)
                 along = self._at(other) - self._at(one)
-                name = length(one + other), float(round_significant(abs(along), DIGITS + 2))
+                name = (
+                    segment_between(self.mechanism, one, other),
+                    float(round_significant(abs(along), DIGITS)),
+                )
                 return _Ends(name, "".join(map(self._letter, far)), start, end, along, far)
         return None
 
@@ -274,8 +278,8 @@ class _Lever:
         force = self.worked.hand(of, (-sum_of if arm > 0 else sum_of) / over)
         found = [total, force]
         if drive.length:
-            crank = float(round_significant(drive.length, DIGITS + 2))
-            size = self.worked.number(length(drive.pivot + drive.point), crank)
+            crank = segment_between(self.mechanism, drive.pivot, drive.point)
+            size = self.worked.number(crank, float(round_significant(drive.length, DIGITS)))
             found.append(
                 self.worked.hand(q.LEVER_MOMENT, self.worked.number(of, force.written) * size),
             )

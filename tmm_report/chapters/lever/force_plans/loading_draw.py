@@ -100,8 +100,10 @@ def _pitch_circle(view: View, links: Sequence[str]) -> list[Item]:
 
 
 def _swing_centres(view: View, drawn: ForceDrawn, links: Sequence[str]) -> tuple[list[Item], list[Tag]]:
-    places = {one.link: one.centre / view.motion.mu for one in drawn.reduced if one.link in links}
-    tags = [Tag((symbol(f"K{link}"),), (place,)) for link, place in places.items()]
+    places = {
+        f"{one.letter}{one.link}": one.centre / view.motion.mu for one in drawn.reduced if one.link in links
+    }
+    tags = [Tag((symbol(name),), (place,)) for name, place in places.items()]
     return [point_mark(place) for place in places.values()], tags
 
 

@@ -12,6 +12,7 @@ from tmm_report.chapters.lever.force_plans import lever_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities.positions import ALONG_STROKE, BALANCING_MOMENT
 from tmm_report.chapters.lever.plans.quantities import COMPARISON, comparison
 from tmm_report.chapters.lever.structure.quantities import index_of
+from tmm_report.mechanics.lever.mechanism import Mechanism
 from tmm_report.mechanics.lever.wheels.mesh import Mesh
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Quantity, Table, Value, text_column
@@ -74,6 +75,13 @@ def moment_sum(about: str, links: tuple[str, ...], in_mm: bool = False) -> Quant
     return Quantity(f"SigmaM_{about}_{'-'.join(links)}", Symbol("SigmaM", about), unit, meaning)
 
 
+def percussion_letter(mechanism: Mechanism) -> str:
+    """Of the centres of percussion: K, or the next letter with which the name of no point begins."""
+    taken = {name[0] for link in mechanism.links.values() for name in link.points}
+    taken |= {cam.centre[0] for cam in mechanism.cams}
+    return next((letter for letter in "KTNLQUVW" if letter not in taken), "K")
+
+
 @tabulated
 def values(found: ForcePlans) -> Iterator[Value]:
     yield WORST.value(found.worst)
@@ -118,7 +126,7 @@ def _arms(drawn: ForceDrawn) -> Table:
 def _reduced(drawn: ForceDrawn) -> Table:
     rows = drawn.reduced
     centres = np.array([one.centre for one in rows])
-    links = [one.link for one in rows]
+    links, letter = [one.link for one in rows], rows[0].letter
     force = Quantity("F_I", Symbol("F", "I"), "N", Message(N_("inertia force")))
     couple = Quantity("M_I", Symbol("M", "I"), "N·m", Message(N_("inertia couple")))
     h = Quantity("h", Symbol("h"), "m", Message(N_("arm of the one force about the mass centre")))
@@ -131,10 +139,10 @@ def _reduced(drawn: ForceDrawn) -> Table:
             couple.column([one.couple for one in rows]),
             h.column([one.arm for one in rows]),
             Quantity(
-                "x_K", Symbol("x", "K"), "m", Message(N_("x coordinate of the centre of percussion"))
+                "x_K", Symbol("x", letter), "m", Message(N_("x coordinate of the centre of percussion"))
             ).column(centres.real),
             Quantity(
-                "y_K", Symbol("y", "K"), "m", Message(N_("y coordinate of the centre of percussion"))
+                "y_K", Symbol("y", letter), "m", Message(N_("y coordinate of the centre of percussion"))
             ).column(centres.imag),
         ),
     )

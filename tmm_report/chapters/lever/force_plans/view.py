@@ -45,7 +45,7 @@ WIDE, BESIDE = (
     (165.0, 70.0),
     (80.0, 70.0),
 )  # mm: one of several schemes or plans on a page, one beside another
-REDUCED_ARM = Definition("h", Var("M_I", 0.0) / Var("F_I", 0.0))
+REDUCED_ARM = Definition("h", abs(Var("M_I", 0.0)) / Var("F_I", 0.0))
 
 
 def parts(lever: LeverFound, page: Page) -> Iterator[Part]:
@@ -243,9 +243,10 @@ class ForcePlansView(BookView):
             ]
             for row, link in enumerate(table["link"].values)
         ]
+        centre = self.t("Centre of percussion %(letter)s: x; y", letter=drawn.reduced[0].letter)
         heads = [
             self.t("Link"), *(self.page.head(table[key].symbol(), table[key].unit) for key in ("F_I", "M_I", "h")),
-            self.page.listed([self.t("Centre of percussion K: x; y"), self.page.unit("m")]),
+            self.page.listed([centre, self.page.unit("m")]),
         ]  # fmt: skip
         return worded(caption, heads, rows, (1, 2, 2, 2, 3))
 

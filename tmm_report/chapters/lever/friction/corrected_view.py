@@ -111,6 +111,12 @@ class CorrectedView(SlidingView):
     def lengths(self) -> bool:
         return any(loss.couple is not None for loss in self.correction.table.pairs)
 
+    @property
+    def tilts_here(self) -> bool:
+        return any(
+            self.position in tilted(loss) for loss in self.correction.table.pairs if loss.pair.kind == "P"
+        )
+
     def sample(self) -> list[Formula]:
         """Power lost in each pair by its corrected reaction."""
         return [self._loss(row, loss) for row, loss in enumerate(self.correction.table.pairs)]

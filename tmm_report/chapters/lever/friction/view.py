@@ -142,12 +142,22 @@ class FrictionView(SlidingView):
 
     def lengths(self) -> Markup | None:
         """Of the sliders that have one stated, by their guides; None where there are none."""
-        losses = enumerate(self.found.table.pairs)
-        lines = [self._length(row, loss.pair.name) for row, loss in losses if loss.rubbing.length]
-        return self.page.listed(lines) if lines else None
+        stated = [
+            (row, loss.pair.name) for row, loss in enumerate(self.found.table.pairs) if loss.rubbing.length
+        ]
+        if not stated:
+            return None
+        if len(stated) == 1:
+            row, name = stated[0]
+            length = self.page.value(self.stated.var("l", row, q.LENGTH.shown))
+            return self.t("Length of the slider in guide %(name)s: %(length)s.", name=name, length=length)
+        lengths = self.page.listed(self._length(row, name) for row, name in stated)
+        letter = self.page.sym(q.LENGTH.sign)
+        return self.t("Lengths of the sliders %(letter)s: %(lengths)s.", letter=letter, lengths=lengths)
 
     def _length(self, row: int, name: str) -> Markup:
-        length = self.page.value(self.stated.var("l", row, q.LENGTH.shown))
+        unit = q.LENGTH.shown
+        length = self.page.in_unit(self.page.shown(self.stated, "l", row, unit), unit)
         return self.t(N_("%(length)s in guide %(name)s"), name=name, length=length)
 
     def materials(self, caption: Any) -> Table | None:
@@ -160,7 +170,7 @@ class FrictionView(SlidingView):
         phi = self.page.head(table["phi_fr"].symbol(), table["phi_fr"].unit)
         heads = [
             self.t("Point, guide"), self.t("Materials"), self.t("Friction"),
-            self.t("Range of the coefficient"), self.t("At rest"), phi,
+            self.t("Range of the coefficient"), self.t("Coefficient at rest"), phi,
         ]  # fmt: skip
         return worded(caption, heads, rows, (1, 5, 9, 2, 2, 1))
 

@@ -301,12 +301,12 @@ class InitialData(BookView):
         x, y = (self.page.num(part) for part in (guide.through.real, guide.through.imag))
         if guide.link == FRAME:
             text = N_(
-                "Guide %(name)s is fixed; it passes through the point (%(x)s; %(y)s) m at an angle of %(angle)s° to "
-                "the x axis."
+                "Guide %(name)s is fixed; it passes through the point "
+                "(%(x)s;\N{NO-BREAK SPACE}%(y)s)\N{NO-BREAK SPACE}m at an angle of %(angle)s° to the x axis."
             )
         else:
             text = N_(
                 "Guide %(name)s belongs to link %(link)s, in whose own axes it passes through the point "
-                "(%(x)s; %(y)s) m at an angle of %(angle)s°."
+                "(%(x)s;\N{NO-BREAK SPACE}%(y)s)\N{NO-BREAK SPACE}m at an angle of %(angle)s°."
             )
         return self.t(text, name=guide.name, link=guide.link, x=x, y=y, angle=angle)

@@ -274,7 +274,7 @@ def stroke(travel: Travel) -> Value:
     meaning = Message(
         N_("stroke of slider %(name)s") if slider else N_("swing of link %(name)s"), {"name": name}
     )
-    symbol = Symbol("H" if slider else "psi", name)
+    symbol = Symbol("H" if slider else "Psi", name)
     unit, shown = ("m", "") if slider else ("rad", "deg")
     return Quantity(f"H_{name}", symbol, unit, meaning, shown).value(travel.stroke)
 

@@ -118,7 +118,13 @@ class ReductionView(BookView):
         return self.by_positions(caption, "reduced_moment_table")
 
     def by_plans(self, caption: Any) -> Table:
-        return self.by_positions(caption, "reduction_plans")
+        name = "reduction_plans"
+        keys = [
+            one.key for one in self.table(name).columns if one.key not in ("position", "phi", q.DELTA.key)
+        ]
+        return self.by_positions(
+            caption, name, [*keys, self.page.singles(self.table(name), q.DELTA.key, places=2)]
+        )
 
     @cached_property
     def diagram(self) -> Graph:

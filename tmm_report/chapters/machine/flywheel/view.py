@@ -233,7 +233,7 @@ class FlywheelView(ChapterView):
 
     def _cell(self, key: str, row: int) -> Any:
         if key == "deviation":
-            return self.page.cell(self.table("methods"), key, row, digits=3, scale=1e-6)
+            return self.page.cell(self.table("methods"), key, row, places=3)
         return self.page.cell(self.table("methods"), key, row, digits=6 if key.startswith("J") else 5)
 
     def proof(self, caption: Any) -> Table:

@@ -65,7 +65,7 @@ class PlanetaryView(PlanetaryTables):
         page, listed = self.page, self.page.listed
         counts = [self.number(key) for key in ("k_least", "k_most")]
         many = listed(counts[: len(self.task.satellites)], "…")
-        allowed = [page.sym(self.value("tolerance").symbol), " ≤ ", page.in_unit(self.tolerance, "%")]
+        allowed = ["|", page.sym(self.value("tolerance").symbol), "| ≤ ", page.in_unit(self.tolerance, "%")]
         return listed(
             [
                 self.told_of(["u_wanted"]),
@@ -88,7 +88,7 @@ class PlanetaryView(PlanetaryTables):
 
     def meant(self) -> list[dict[str, Any]]:
         """What the given values are."""
-        names = {"u_wanted": "planetary:u", "tolerance": "planetary:Delta"}
+        names = {"u_wanted": "planetary:u", "delta_u": "planetary:Delta"}
         names |= {"k": "planetary:k", "eta_stopped": "planetary:eta" + self.carrier}
         said = {key: self.page.explained(name, self.value(key)) for key, name in names.items()}
         one = "m" if self.given.one_module else "m_I"
@@ -97,7 +97,7 @@ class PlanetaryView(PlanetaryTables):
         if self.given.helix:
             normal = self.page.explained("planetary:mn", self.value(f"{one}_n"), "mm")
             modules = [{**normal, "symbol": "m_n"}, self.page.explained("spur:beta", self.value("beta"))]
-        return [*(said[key] for key in ("u_wanted", "tolerance")), *modules,
+        return [*(said[key] for key in ("u_wanted", "delta_u")), *modules,
                 *(said[key] for key in ("k", "eta_stopped"))]  # fmt: skip
 
     def explained_shift(self) -> list[dict[str, Any]]:
@@ -123,7 +123,7 @@ class PlanetaryView(PlanetaryTables):
     # ------------------------------------------------------------ formulas
 
     def deviation(self) -> Formula:
-        return self.value("delta_u").formula(deviation(self.stage), size=True, digits=3)
+        return self.value("delta_u").formula(deviation(self.stage), digits=3)
 
     def efficiency(self) -> Formula:
         row = self.found.motions.index(self.found.motion)
@@ -177,10 +177,13 @@ class PlanetaryView(PlanetaryTables):
 
     def conclusions(self) -> list[Markup]:
         text = N_(
-            "The planetary stage %(name)s has %(teeth)s; the deviation of its ratio is %(deviation)s %%."
+            "The planetary stage %(name)s has %(teeth)s; its ratio %(ratio)s deviates from the required one by "
+            "%(deviation)s %%."
         )
-        deviation = self.number("delta_u", digits=3)
-        lines = [self.t(text, name=self.title, teeth=self.chosen_teeth(), deviation=deviation)]
+        if self.page.nothing(self.value("delta_u")):
+            text = N_("The planetary stage %(name)s has %(teeth)s; its ratio is %(ratio)s, as required.")
+        named = {"name": self.title, "teeth": self.chosen_teeth(), "ratio": self.sized("u")}
+        lines = [self.t(text, **named, deviation=self.number("delta_u", digits=3))]
         lines += [self.t("Its efficiency is %(eta)s; the gap between its neighbouring planet gears is %(gap)s mm.",
                          eta=self.number("eta"),
                          gap=self.number("gap", digits=4))]  # fmt: skip

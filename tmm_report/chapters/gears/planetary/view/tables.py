@@ -91,24 +91,25 @@ class PlanetaryTables(ChapterView):
         """The best of the solutions, the chosen one marked."""
         table, page = self.table("solutions"), self.page
         teeth = [key for key in ("z1", "z2", "z2'", "z3") if key in table]
+        remarks = [page.listed(self._remarks(place)) for place in places]
         rows = [
             [
                 *(self._count(table, key, place) for key in ("place", *teeth, "k")),
                 page.cell(table, "u", place),
                 page.cell(table, "delta_u", place, places=2),
                 page.cell(table, "D", place, "mm"),
-                page.listed(self._remarks(place)),
+                *([remark] if any(remarks) else []),
             ]
-            for place in places
+            for place, remark in zip(places, remarks, strict=True)
         ]
         heads = [
             self.t("No."),
             *(page.head(table[key].symbol()) for key in (*teeth, "k", "u")),
             page.listed([page.sym(table["delta_u"].symbol()), "%"]),
             page.head(table["D"].symbol(), "mm"),
-            self.t("Remark"),
+            *([self.t("Remark")] if any(remarks) else []),
         ]
-        return worded(caption, heads, rows, (1, *[1] * len(teeth), 0.8, 1.4, 1.2, 1.4, 3.4))
+        return worded(caption, heads, rows, (1, *[1] * len(teeth), 0.8, 1.4, 1.2, 1.4, 3.4)[: len(heads)])
 
     def _remarks(self, place: int) -> Iterator[Markup]:
         of = self.found.solutions
@@ -167,6 +168,8 @@ class PlanetaryTables(ChapterView):
             for key in ("value", "limit", "margin")
         )
         symbol = self.page.sym(table["value"].symbol(row))
+        if of.key == "ratio":  # the limit holds its deviation either way
+            symbol = listed(["|", symbol, "|"], "")
         sign = "≥ " if of.least else "≤ "
         return [listed([symbol, " = ", value], ""), listed([sign, limit], ""), margin]
 

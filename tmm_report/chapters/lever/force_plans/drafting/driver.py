@@ -31,7 +31,8 @@ def plan(sheet: Sheet) -> tuple[ForcePlan, float]:
     total = sheet.moment_sum((link,), pair.name, sheet.joint(pair), arms)
     moment = -total * sheet.number(MU_L, sheet.mu_l) if sheet.in_mm else -total
     formula = sheet.hand(BALANCING_MOMENT, moment)
-    formulas, drive = [formula], Couple(BALANCING_MOMENT, float(formula.written))
+    value = float(formula.written)
+    formulas, drive = [formula], Couple(BALANCING_MOMENT, value, value)
     sheet.compare(BALANCING_MOMENT, formula, float(sheet.solved.balancing[sheet.k]), sheet.moment_floor(link))
     teeth = _teeth(sheet, formula, formulas, arms)
     mu = _scale(sheet, teeth)

@@ -125,7 +125,7 @@ def _tangential(
     sum_of = moment_sum(joint, tuple(links), sheet.in_mm)
     sum_of_moments = sheet.hand(sum_of, total)
     moment = sheet.number(sum_of, sum_of_moments.written)
-    formula = sheet.hand(of, -moment / sheet.length(joint + pair.name, arm))
+    formula = sheet.hand(of, -moment / sheet.length(joint, pair.name, arm))
     moments.extend((sum_of_moments, formula))
     return formula
 

@@ -38,10 +38,12 @@ class Acting:
 
 @dataclass(frozen=True)
 class Couple:
-    """A moment on a link, N m, + counter-clockwise."""
+    """A moment on a link, N m, + counter-clockwise; `printed`: as its table has it, an inertia couple with its sign, a
+    stated moment along its own sense."""
 
     quantity: Quantity
     value: float
+    printed: float
 
     @property
     def key(self) -> str:
@@ -177,9 +179,10 @@ class ForcePlan:
 @dataclass(frozen=True, eq=False)
 class Reduced:
     """Inertia force and couple of a link reduced to one force: its arm h = M/F about the mass centre, m, and the
-    centre of percussion K through which it acts, world place, m."""
+    centre of percussion through which it acts, world place, m, with its letter."""
 
     link: str
+    letter: str
     force: float
     couple: float
     arm: float
@@ -190,8 +193,8 @@ class Reduced:
 class ForceDrawn:
     """Force plans of one table position, the driving link's last, and the comparison of reactions and moment.
 
-    `inertia`: formulas of the inertia forces and couples, F_I = m a_S and M_I = J ε; `apart`: links whose inertia force
-    and couple are left as they are, as the centre of percussion would lie off the sheet.
+    `inertia`: formulas of the inertia forces and couples, F_I = m a_S and M_I = −J ε; `apart`: links whose inertia
+    force and couple are left as they are, as the centre of percussion would lie off the sheet.
     """
 
     position: int

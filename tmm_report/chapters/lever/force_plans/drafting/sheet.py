@@ -17,9 +17,16 @@ from tmm_report.chapters.lever.force_plans.drafting.plan import (
     Pole,
     Reduced,
 )
-from tmm_report.chapters.lever.force_plans.quantities import CHOSEN, MU_F, MU_L, drawn_length, on_paper
+from tmm_report.chapters.lever.force_plans.quantities import (
+    CHOSEN,
+    MU_F,
+    MU_L,
+    drawn_length,
+    on_paper,
+    percussion_letter,
+)
 from tmm_report.chapters.lever.force_plans.quantities import arm as arm_of
-from tmm_report.chapters.lever.initial_data.quantities import inertia, length, mass
+from tmm_report.chapters.lever.initial_data.quantities import inertia, mass, segment_between
 from tmm_report.chapters.lever.kinematics.quantities import link_rate, point_rate
 from tmm_report.chapters.lever.kinetostatics.quantities.positions import (
     forces,
@@ -91,15 +98,15 @@ class Sheet:
         for link, weight in load.gravity.items():
             centre = str(self.mechanism.links[link].mass_centre)
             self._add(link, weight_of(link), "gravity", weight[self.k], centre)
-            acceleration = point_rate("a", centre), self.motion.acceleration(centre)[0]
+            acceleration = point_rate("a", centre), float(np.abs(self.motion.acceleration(centre)[0]))
             m = mass(link), self.mechanism.links[link].mass
             size = self._product(inertia_force(link), m, acceleration)
             self._add(link, inertia_force(link), "inertia", load.inertia[link][self.k], centre, size)
         for link, couple in load.couples.items():
-            turning = link_rate("e", link), self.motion.angular_acceleration(link)[0]
+            turning = link_rate("e", link), float(self.motion.angular_acceleration(link)[0])
             J = inertia(link), self.mechanism.links[link].inertia
-            size = self._product(inertia_couple(link), J, turning)
-            self._couple(link, inertia_couple(link), couple[self.k], size)
+            written = self._product(inertia_couple(link), J, turning, -1)
+            self._couple(link, inertia_couple(link), couple[self.k], written)
         for stated, force, vector in zip(given.forces, forces(given.forces), load.forces, strict=True):
             self._add(loaded_link(self.motion, stated), force, "load", vector[self.k], stated.at)
         for on, moment, couple in zip(given.moments, moments(given.moments), load.moments, strict=True):
@@ -109,12 +116,14 @@ class Sheet:
         return complex(self.motion.place(point)[0])
 
     def _product(
-        self, quantity: Quantity, factor: tuple[Quantity, float], rate: tuple[Quantity, complex]
+        self, quantity: Quantity, factor: tuple[Quantity, float], rate: tuple[Quantity, float], sense: int = 1
     ) -> float:
-        """An inertia force or couple by hand, from the analytical acceleration as written: F_I4 = m_4 a_S4."""
-        written = float(round_significant(float(np.abs(rate[1])), DIGITS))
-        product = self.number(factor[0], float(factor[1])) * self.number(rate[0], written)
-        formula = self.hand(quantity, product)
+        """An inertia force or couple by hand, from the analytical acceleration as written: F_I4 = m_4 a_S4 by size,
+        M_I4 = −J_4 ε_4 with its sign."""
+        (of, size), (rate_of, value) = factor, rate
+        written = float(round_significant(value, DIGITS))
+        product = self.number(of, float(round_significant(size, DIGITS))) * self.number(rate_of, written)
+        formula = self.hand(quantity, product if sense > 0 else -product)
         self.inertia.append(formula)
         return formula.written
 
@@ -127,10 +136,11 @@ class Sheet:
             force = Acting(of, kind, complex(unit(vector) * written), self._at(point), point)
             self.acting[link].append(force)
 
-    def _couple(self, link: str, of: Quantity, value: float, size: float | None = None) -> None:
+    def _couple(self, link: str, of: Quantity, value: float, written: float | None = None) -> None:
+        """`written`: with its sign as already written; else the value's own size, rounded as one writes it."""
         if abs(value) > 1e-9 * self._largest_moment:
-            written = float(round_significant(abs(value), DIGITS)) if size is None else size
-            self.couples[link].append(Couple(of, float(np.copysign(written, value))))
+            printed = float(round_significant(abs(value), DIGITS)) if written is None else written
+            self.couples[link].append(Couple(of, float(np.copysign(printed, value)), printed))
 
     @cached_property
     def _largest(self) -> float:
@@ -156,8 +166,9 @@ class Sheet:
             self.apart.append(link)
             return
         shift = -1j * unit(force.vector) * couple.value / size
-        moved = replace(force, at=complex(force.at + shift), point=f"K{link}")
-        self.reduced.append(Reduced(link, size, couple.value, arm, moved.at))
+        letter = percussion_letter(self.mechanism)
+        moved = replace(force, at=complex(force.at + shift), point=f"{letter}{link}")
+        self.reduced.append(Reduced(link, letter, size, couple.value, arm, moved.at))
         self.acting[link][self.acting[link].index(force)] = moved
         self.couples[link].remove(couple)
 
@@ -179,17 +190,17 @@ class Sheet:
         arm = Arm(acting.quantity, joint, mm, metres, of, link, about, acting.at, along)
         return arm, float(np.sign(moment))
 
-    def length(self, ends: str, metres: float) -> Var:
-        """A length of the scheme as it stands in an equation of moments: m, or mm of paper as read."""
-        of = length(ends)
+    def length(self, one: str, other: str, metres: float) -> Var:
+        """A length of the scheme as it stands in an equation of moments: m, as printed, or mm of paper as read."""
+        of = segment_between(self.mechanism, one, other)
         if not self.in_mm:
-            return self.number(of, float(round_significant(metres, DIGITS + 2)))
+            return self.number(of, float(round_significant(metres, DIGITS)))
         return self.number(on_paper(of), self.pen.read(metres / self.mu_l))
 
     def moment_of(self, couple: Couple) -> Expr:
-        """The size of a couple as it stands in an equation of moments: N m, or N mm of paper."""
-        size = self.number(couple.quantity, abs(couple.value))
-        return size / self.number(MU_L, self.mu_l) if self.in_mm else size
+        """A couple as it stands in an equation of moments: N m, or N mm of paper."""
+        moment = self.number(couple.quantity, couple.printed)
+        return moment / self.number(MU_L, self.mu_l) if self.in_mm else moment
 
     def moment_sum(self, links: Sequence[str], joint: str, about: complex, arms: list[Arm]) -> Expr:
         """Sum of moments of all loads and couples of `links` about a joint, with the arms as read, N m or N mm."""
@@ -204,7 +215,7 @@ class Sheet:
                 size = self.number(acting.quantity, acting.sense * abs(acting.vector))
                 total = plus(total, size * h, sense * acting.sense)
             for couple in self.couples[link]:
-                total = plus(total, self.moment_of(couple), np.sign(couple.value))
+                total = plus(total, self.moment_of(couple), couple.value * couple.printed)
         return total if total is not None else Number(0.0)
 
     # ------------------------------------------------------------ scale, loads laid off

@@ -157,7 +157,7 @@ def _across(sheet: Sheet, line: _Line, arms: list[Arm], formulas: list[Formula])
     known = moment_sum(far, line.bodies, sheet.in_mm)
     formulas.append(sheet.hand(known, total))
     moment = sheet.number(known, formulas[-1].written)
-    formulas.append(sheet.hand(of, moment / sheet.length(far + pin, abs(line.P - line.Q))))
+    formulas.append(sheet.hand(of, moment / sheet.length(far, pin, abs(line.P - line.Q))))
     vector = 1j * line.out * formulas[-1].written
     sense = -1 if formulas[-1].written < 0 else 1
     sheet.acting[link].append(Acting(of, "component", vector, line.P, pin, sense))

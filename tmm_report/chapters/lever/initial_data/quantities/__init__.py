@@ -63,6 +63,17 @@ def length(ends: str) -> Quantity:
     return Quantity(f"l_{ends}", Symbol("l", ends), "m", Message(LENGTH, {"of": ends}))
 
 
+def segment_between(mechanism: Mechanism, one: str, other: str) -> Quantity:
+    """The length of the segment between two points under one name in every chapter: in the order in which its link
+    lists them; of points of two links a fixed one leads, else the first of the alphabet."""
+    for link in sized_links(mechanism):
+        if one in link.points and other in link.points:
+            order = list(link.points).index
+            return length(one + other if order(one) < order(other) else other + one)
+    fixed = mechanism.links[FRAME].points
+    return length("".join(sorted((one, other), key=lambda point: (point not in fixed, point))))
+
+
 def mass(link: str) -> Quantity:
     return Quantity(f"m_{link}", Symbol("m", link), "kg", Message(N_("mass of link %(of)s"), {"of": link}))
 

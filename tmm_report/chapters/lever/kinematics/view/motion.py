@@ -79,7 +79,6 @@ class MotionView(BookView):
         kind, unbounded = travel.output.kind, _unbounded(travel)
         for order, ends in ((1, travel.V_extremes), (2, travel.a_extremes)):
             if order in unbounded:
-                yield self.t(UNBOUNDED[kind, order])
                 continue
             end = "min" if larger(ends) is ends[0] else "max"
             key = f"{'VA'[order - 1]}_{travel.output.name}_{end}"
@@ -88,6 +87,12 @@ class MotionView(BookView):
                 return
             text = GREATEST[kind, order]
             yield self.t(text, x=self.number(key, size=True), at=self.turned(key))
+        yield from self._unbounded(travel)
+
+    def _unbounded(self, travel: Travel) -> Iterator[Markup]:
+        """That rates grow without bound, those of one output in one sentence."""
+        if orders := _unbounded(travel):
+            yield self.t(UNBOUNDED[travel.output.kind, orders], name=travel.output.name)
 
     def _nought(self, order: int, ends: Sequence[Any]) -> bool:
         """Whether a rate is nothing but rounding beside that of the driving link."""
@@ -96,15 +101,11 @@ class MotionView(BookView):
 
     def sentences(self, travel: Travel) -> list[Markup]:
         """What is told of an output, and of its rates that grow without bound."""
-        return [*self.told(travel), *(self.t(UNBOUNDED[travel.output.kind, n]) for n in _unbounded(travel))]
+        return [*self.told(travel), *self._unbounded(travel)]
 
     def unbounded_links(self) -> list[Markup]:
         """Sentences on the rates of the other links that grow without bound."""
-        return [
-            self.t(OF_LINK[n], link=travel.output.name)
-            for travel in self.found.links
-            for n in _unbounded(travel)
-        ]
+        return [text for travel in self.found.links for text in self._unbounded(travel)]
 
     # ------------------------------------------------------------ outputs
 
@@ -119,8 +120,12 @@ class MotionView(BookView):
                 way = force_direction(travel.output.direction, self.page)
                 names.setdefault(way, []).append(travel.output.name)
         for way, those in names.items():
-            yield self.t(
-                "Positive displacement of %(name)s points %(way)s.", name=self.page.listed(those), way=way
+            yield self.page.count(
+                "The displacement of point %(name)s is positive when directed %(way)s.",
+                "The displacements of points %(name)s are positive when directed %(way)s.",
+                len(those),
+                name=self.page.listed(those),
+                way=way,
             )
 
     def travels(self, caption: Any) -> Table:
@@ -158,19 +163,18 @@ class MotionView(BookView):
         stroke, name = self.strokes.get(travel.output.name), travel.output.name
         if stroke is None or not stroke.positions:
             return
-        within = {"one": stroke.positions[0], "other": stroke.positions[-1]}
+        positions = list(stroke.positions)
         if self.found.cycle.turns > 1:
-            text = WORKING_OF_SEVERAL[stroke.by]
-            yield self.t(text, **within)
+            yield self.t(WORKING_OF_SEVERAL[stroke.by], positions=self.page.runs(positions))
             return
         keys = [f"S_{name}_{end}" for end in stroke.ends]
         begin, end = (round(math.degrees(self.value(key).at or 0.0), 1) for key in keys)
         first, last = map(self.turned, keys)
         if end == 0:  # the stroke that ends with the cycle does so at its last angle and position
             last, end = Markup("360"), 360.0
-            within["other"] = within["other"] or self.found.positions.table
+            positions[-1] = positions[-1] or self.found.positions.table
         text = (WORKING if begin < end else WORKING_ROUND)[stroke.by]
-        yield self.t(text, first=first, last=last, **within)
+        yield self.t(text, first=first, last=last, positions=self.page.runs(positions))
 
     def stroke(self, travel: Travel) -> Markup:
         return self.sized(f"H_{travel.output.name}")
@@ -255,10 +259,10 @@ class MotionView(BookView):
         return self._packed(caption, "outputs_table", q.motion_of, self.links)
 
 
-def _unbounded(travel: Travel) -> list[int]:
+def _unbounded(travel: Travel) -> tuple[int, ...]:
     """Orders of the rates that grow without bound: 1 the velocity, 2 the acceleration."""
     rates = ((1, travel.V_extremes), (2, travel.a_extremes))
-    return [n for n, ends in rates if not all(math.isfinite(x.value) for x in ends)]
+    return tuple(n for n, ends in rates if not all(math.isfinite(x.value) for x in ends))
 
 
 GREATEST = {
@@ -272,38 +276,46 @@ UNIFORM = {
     "rocker": N_("Its angular velocity is constant, %(x)s rad/s."),
 }
 UNBOUNDED = {
-    ("slider", 1): N_("Its velocity grows without bound towards the limit position."),
-    ("slider", 2): N_("Its acceleration grows without bound towards the limit position."),
-    ("rocker", 1): N_("Its angular velocity grows without bound towards the limit position."),
-    ("rocker", 2): N_("Its angular acceleration grows without bound towards the limit position."),
-}
-OF_LINK = {
-    1: N_("The angular velocity of link %(link)s grows without bound towards the limit position."),
-    2: N_("The angular acceleration of link %(link)s grows without bound towards the limit position."),
+    ("slider", (1,)): N_("Towards the limit position the velocity of point %(name)s grows without bound."),
+    ("slider", (2,)): N_(
+        "Towards the limit position the acceleration of point %(name)s grows without bound."
+    ),
+    ("slider", (1, 2)): N_(
+        "Towards the limit position the velocity and the acceleration of point %(name)s grow without bound."
+    ),
+    ("rocker", (1,)): N_(
+        "Towards the limit position the angular velocity of link %(name)s grows without bound."
+    ),
+    ("rocker", (2,)): N_(
+        "Towards the limit position the angular acceleration of link %(name)s grows without bound."
+    ),
+    ("rocker", (1, 2)): N_(
+        "Towards the limit position the angular velocity and acceleration of link %(name)s grow without bound."
+    ),
 }
 WORKING = {
     "load": N_(
         "Its working stroke, in which the stated load does its work, lasts from the angle of rotation %(first)s° "
-        "to %(last)s° (positions %(one)s–%(other)s)."
+        "to %(last)s° (positions %(positions)s)."
     ),
     "longer": N_(
         "Its working stroke, the longer-lasting one, lasts from the angle of rotation %(first)s° to %(last)s° "
-        "(positions %(one)s–%(other)s)."
+        "(positions %(positions)s)."
     ),
 }
 WORKING_ROUND = {
     "load": N_(
         "Its working stroke, in which the stated load does its work, lasts from the angle of rotation %(first)s° "
-        "over the end of the cycle to %(last)s° (positions %(one)s–%(other)s)."
+        "over the end of the cycle to %(last)s° (positions %(positions)s)."
     ),
     "longer": N_(
         "Its working stroke, the longer-lasting one, lasts from the angle of rotation %(first)s° over the end of "
-        "the cycle to %(last)s° (positions %(one)s–%(other)s)."
+        "the cycle to %(last)s° (positions %(positions)s)."
     ),
 }
 WORKING_OF_SEVERAL = {
     "load": N_(
-        "Its working stroke, in which the stated load does its work, goes through positions %(one)s–%(other)s."
+        "Its working stroke, in which the stated load does its work, goes through positions %(positions)s."
     ),
-    "longer": N_("Its working stroke, the longer-lasting one, goes through positions %(one)s–%(other)s."),
+    "longer": N_("Its working stroke, the longer-lasting one, goes through positions %(positions)s."),
 }

@@ -244,10 +244,15 @@ class KinematicsView(BookView):
             for row, c in zip(where, self.found.closest, strict=True)
         ]
         heads = [
-            self.t("Group"), self.t("Measure"), self.t("Least value"), self.t("At the angle of rotation, °"),
-            self.t("Digits that remain"),
+            self.t("Group"), self.t("Measure"), self.t("Least value"),
+            self.t("At the angle of rotation,\N{NO-BREAK SPACE}°"), self.t("Digits that remain"),
         ]  # fmt: skip
         return worded(caption, heads, rows, (3, 6, 2, 2, 2))
+
+    @property
+    def dwells(self) -> bool:
+        """Whether cams may let an output link stand over a part of the cycle."""
+        return bool(self.found.linkage.mechanism.cams)
 
     @property
     def has_dead(self) -> bool:
@@ -273,7 +278,7 @@ class KinematicsView(BookView):
     def _dead(self, table: model.Table, rows: Sequence[int], pair: Any) -> Markup:
         """The angles of turn at which the same two links are in line."""
         angles = self.page.listed(
-            self.page.listed([self.page.shown(table, "phi", row, places=3), "°"], "") for row in rows
+            self.page.listed([self.page.shown(table, "phi", row, places=2), "°"], "") for row in rows
         )
         text = N_("%(angles)s (links %(one)s and %(other)s in one line)")
         return self.t(text, angles=angles, one=pair[0], other=pair[1]) if pair else angles
@@ -295,11 +300,11 @@ class KinematicsView(BookView):
                 yield self.t(text, group=group, links=links, angles=self._angles(angles))
 
     def _angles(self, turned: tuple[float, ...]) -> str:
-        """Angles found by root finding, rad, in degrees to a thousandth."""
-        return ", ".join(f"{self.page.num(np.degrees(x), places=3)}°" for x in turned)
+        """Angles found by root finding, rad, in degrees as tables of extremes have them."""
+        return ", ".join(f"{self.page.num(np.degrees(x), places=2)}°" for x in turned)
 
 
-OF_POINT, OF_LINK = N_("of point %(name)s at %(angles)s"), N_("of link %(name)s at %(angles)s")
+OF_POINT, OF_LINK = N_("for point %(name)s at %(angles)s"), N_("for link %(name)s at %(angles)s")
 PASSED = N_(
     "at the angle of rotation φ = %(angles)s group %(group)s (links %(links)s) passes a change point: its two "
     "assemblies meet and two continuations exist; the stated assembly is kept and the motion goes on smoothly. "

@@ -9,8 +9,7 @@ from tmm_report.chapters.lever.plans.drafting.sheet import Sheet
 from tmm_report.mechanics.calculus.vectors import unit
 from tmm_report.mechanics.lever.vector_equations import Branch
 from tmm_report.quantity.formula import Formula, Symbol, Term, Var
-from tmm_report.quantity.text import round_significant
-from tmm_report.quantity.written import DIGITS, segment_of
+from tmm_report.quantity.written import segment_of
 from tmm_report.records import dataclass
 
 
@@ -97,7 +96,7 @@ def length(sheet: Sheet, branch: Branch, arm: complex) -> Var:
     given = (
         float(np.abs(points[branch.arm[1]] - points[branch.arm[0]])) if rigid else mm * sheet.scales.length
     )
-    return sheet.length("".join(branch.arm), float(round_significant(given, DIGITS + 2)))
+    return sheet.length(*branch.arm, given)
 
 
 def rate_key(sheet: Sheet, branch: Branch) -> str:

@@ -32,7 +32,7 @@ def formulas(sheet: Sheet) -> tuple[Formula, ...]:
     z = 1j * sheet.omega * arm if sheet.kind == "v" else -(sheet.omega**2) * arm
     z = sheet.absolute(pin, sheet.pen.place(z / sheet.scale))
     sheet.images[link] = Image(0j, pivot, z / arm)
-    own = _of_pin(sheet, link, pin, pair.name + pin)
+    own = _of_pin(sheet, link, pin)
     return (*own, *(point(sheet, p, link) for p in points if p != pin))
 
 
@@ -43,12 +43,12 @@ def _without_pin(sheet: Sheet, link: str, pivot: complex) -> tuple[Formula, ...]
     return ()
 
 
-def _of_pin(sheet: Sheet, link: str, pin: str, ends: str) -> tuple[Formula, Formula]:
+def _of_pin(sheet: Sheet, link: str, pin: str) -> tuple[Formula, Formula]:
     """The pin's velocity or acceleration, and the segment laid off for it."""
     w = sheet.number(f"w_{link}", float(round_significant(abs(sheet.omega), DIGITS)))
     arms = sheet.linkage.mechanism.links[link].points
     pivot = sheet.linkage.structure.driver_pair.name
-    length = sheet.length(ends, float(np.abs(arms[pin] - arms[pivot])))
+    length = sheet.length(pivot, pin, float(np.abs(arms[pin] - arms[pivot])))
     size = w * length if sheet.kind == "v" else w**2 * length
     value = sheet.write(f"{sheet.kind}_{pin}", size)
     sheet.reference = value.written
@@ -62,7 +62,7 @@ def _of_accelerated_pin(sheet: Sheet, link: str, pin: str, arm: complex) -> tupl
     """The pin's normal and tangential acceleration, the segments laid off for them, and the whole read off."""
     pivot = sheet.linkage.structure.driver_pair.name
     arms = sheet.linkage.mechanism.links[link].points
-    length = sheet.length(pivot + pin, float(np.abs(arms[pin] - arms[pivot])))
+    length = sheet.length(pivot, pin, float(np.abs(arms[pin] - arms[pivot])))
     w, e = (
         sheet.number(f"{letter}_{link}", float(round_significant(abs(rate), DIGITS)))
         for letter, rate in (("w", sheet.omega), ("e", sheet.epsilon))
@@ -120,5 +120,5 @@ def _proportion(sheet: Sheet, link: str, name: str, line: Line) -> Formula | Non
         return None
     first = sheet.letter(line.branch.start) if line.branch.start else sheet.pole
     whole = sheet.segment(first, sheet.letter(end))
-    part, rod = (sheet.length(start + to, float(np.abs(points[to] - points[start]))) for to in (name, end))
+    part, rod = (sheet.length(start, to, float(np.abs(points[to] - points[start]))) for to in (name, end))
     return sheet.worked.laid_off(segment_of(first + sheet.letter(name)), whole * part / rod)

@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from tmm_report.chapters.lever.initial_data.quantities import length
+from tmm_report.chapters.lever.initial_data.quantities import segment_between
 from tmm_report.chapters.lever.kinematics.quantities import UNITS
 from tmm_report.chapters.lever.plans.drafting.plan import Plan, Role, Scales, Sense, Stroke
 from tmm_report.chapters.lever.plans.quantities import MU_A, MU_V
@@ -154,9 +154,10 @@ class Sheet:
         """A rate in a calculation, by its key."""
         return self.worked.number(self.named[key], value)
 
-    def length(self, ends: str, metres: float) -> Var:
-        """The length of a segment of the mechanism in a calculation."""
-        return self.worked.number(length(ends), metres)
+    def length(self, one: str, other: str, metres: float) -> Var:
+        """The length of a segment of the mechanism in a calculation, as it is printed."""
+        of = segment_between(self.linkage.mechanism, one, other)
+        return self.worked.number(of, float(round_significant(metres, DIGITS)))
 
     def write(self, key: str, expression: Expr, per_mm: float | None = None) -> Formula:
         """Calculate a value by hand and keep it as written. `per_mm`: the value of 1 mm of paper for it."""

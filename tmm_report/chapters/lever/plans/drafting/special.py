@@ -228,8 +228,9 @@ def _normal(
     if v is None or mm == 0 or not v.values[f"w_{link}"]:
         return z, start, []
     ends = "".join(points)
-    metres = float(round_significant(mm * sheet.scales.length, DIGITS + 2))
-    size = sheet.number(f"w_{link}", v.values[f"w_{link}"]) ** 2 * sheet.length(ends, metres)
+    size = sheet.number(f"w_{link}", v.values[f"w_{link}"]) ** 2 * sheet.length(
+        *points, mm * sheet.scales.length
+    )
     symbol = Symbol("a", ends, "n")
     meaning = Message(NORMAL, {"one": points[0], "other": points[1]})
     quantity = Quantity(f"a_{ends}_n", symbol, "m/s²", meaning)

@@ -72,7 +72,7 @@ class BalancingView(BalancingSheet):
         else:
             text = N_(
                 "The greatest shaking moment of the mechanism is %(before)s N·m; way %(m)s changes it to "
-                "%(after)s N·m, and way %(n)s leaves %(left)s N·m of that."
+                "%(after)s N·m, and way %(n)s to %(left)s N·m."
             )
             numbers = {"m": every.index(first.base), "n": every.index(last)}
             yield self.t(text, before=before, after=after, left=left, **numbers)
