@@ -89,6 +89,8 @@ def _unbroken(text: str, fmt: str) -> str:
         return "".join(
             _glued(parts[k]) + (parts[k + 1] if k + 1 < len(parts) else "") for k in range(0, len(parts), 3)
         )
+    if fmt != "typst":
+        return text
     # headings become bookmarks, which are searched as they are
     parts = re.split(
         r"(#note-picture\(.*?</svg>|^#note-(?:heading|contents-line)\([^\n]*)", text, flags=re.S | re.M
