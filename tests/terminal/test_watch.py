@@ -148,7 +148,7 @@ class Heard:
 def test_what_no_saving_mends_is_told_at_once(tmp_path):
     assert run("solve", tmp_path / "none.yaml", "--watch").exit_code == 2
     (tmp_path / "my.yaml").write_text(SHAPER, encoding="utf-8")
-    assert run("solve", tmp_path / "my.yaml", "--watch", "--format", "docx").exit_code == 2
+    assert run("solve", tmp_path / "my.yaml", "--watch", "--format", "odt").exit_code == 2
     done = run("solve", tmp_path / "my.yaml", "--watch", "--pdf", "--all")
     assert done.exit_code == 2 and "--all, --pdf" in done.output
     assert {path.name for path in tmp_path.iterdir()} == {"my.yaml"}
