@@ -112,7 +112,7 @@ def test_two_demands_that_cannot_be_met_say_how_near_they_come():
     assert found.numbers[0] == pytest.approx(20)
     low, high = found.chosen.value
     assert low > found.levels[0] and high < found.levels[1]
-    assert "cannot be met" in render(results, "html", "en")["note.html"].decode()
+    assert "cannot both be met" in render(results, "html", "en")["note.html"].decode()
 
 
 # --- radii of a pivot
