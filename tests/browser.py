@@ -21,7 +21,7 @@ from typing import Any
 import matplotlib
 import pytest
 from conftest import read
-from notes import NAMES, note, program, render, static
+from notes import NAMES, note, program, render
 from once import once
 
 from tmm_report import solve
@@ -162,9 +162,7 @@ def printed_without_fonts(name: str, language: str) -> bytes:
         folder = Path(place)
         (folder / "fonts").mkdir()
         with browser(folder, folder / "fonts") as talk:
-            # what scripts make for the screen has the faces of the system: here there are none
-            page = static(a_note(name, language).decode()).encode()
-            return opened(talk, folder, name, page, print_it=True).pdf
+            return opened(talk, folder, name, a_note(name, language), print_it=True).pdf
 
 
 def seen(name: str) -> Seen:

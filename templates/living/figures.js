@@ -7,7 +7,7 @@ function change(one, name, to) {
   if (!originals.has(one)) originals.set(one, {});
   const kept = originals.get(one);
   if (!(name in kept)) kept[name] = one.getAttribute(name);
-  one.setAttribute(name, to);
+  if (one.getAttribute(name) !== String(to)) one.setAttribute(name, to); // what stays costs no layout
 }
 
 function restore(within) {
@@ -146,7 +146,7 @@ function figuresFollow() {
       isIntersecting ? inSight.add(target) : inSight.delete(target);
       if (isIntersecting) draws.get(target)();
     }
-  }, { rootMargin: "200px" });
+  }, { rootMargin: "0px" });
   const add = (kind, make) => {
     for (const [anchor, of] of Object.entries(known[kind] ?? {})) {
       const figure = document.getElementById(anchor);

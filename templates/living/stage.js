@@ -188,6 +188,7 @@ function settled(at) {
 // ---- playing
 
 let playing = 0;
+const PACES = [1, 2, 4, 0.1, 0.25, 0.5];
 let pace = 1;
 const CYCLE = 6000; // ms of a whole cycle
 
@@ -238,8 +239,11 @@ function dock() {
     input: () => (stop(), show(settled(Number(slider.value)))),
   });
   const told = element("output", { class: "at" });
-  const speed = element("select", { "aria-label": words.speed, title: words.speed, change: () => (pace = Number(speed.value)) });
-  for (const x of [0.1, 0.25, 0.5, 1, 2, 4]) speed.append(element("option", { value: x, ...(x === 1 && { selected: "" }) }, `${text(x)}×`));
+  // no list: Chromium falls over one where the machine has no font
+  const speed = button("speed", "1×", () => {
+    pace = PACES[(PACES.indexOf(pace) + 1) % PACES.length];
+    speed.textContent = `${text(pace)}×`;
+  }, { class: "speed" });
   const choices = element("div", { class: "choices" });
   for (const [name, one] of Object.entries(layers)) {
     if (!one.group.childNodes.length) continue;

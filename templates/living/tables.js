@@ -15,9 +15,12 @@ function rowsFollow() {
     cell.addEventListener("keydown", (event) => (event.key === "Enter" || event.key === " ") && (event.preventDefault(), go()));
   }
   let lit = [];
+  let now = null;
   followers.push(() => {
-    for (const cell of lit) cell.classList.remove("now");
     const k = numbered();
+    if (k === now) return;
+    now = k;
+    for (const cell of lit) cell.classList.remove("now");
     const count = cycle.numbered.length - 1;
     lit = [...(rows.get(k) ?? []), ...(cycle.closed && k === count ? (rows.get(0) ?? []) : [])];
     for (const cell of lit) cell.classList.add("now");
