@@ -20,6 +20,7 @@ from exhaustive import FEW
 from notes import NAMES, VARIANTS, note, render, static
 from payloads import PAYLOADS
 
+from tmm_report import render as of_depth
 from tmm_report.chapters.title.given import Assignment, Signer, Title
 from tmm_report.profiles import NAMES as PROFILES
 from tmm_report.profiles import shipped
@@ -136,7 +137,10 @@ def test_elements_stand_in_the_order_of_the_standard(name):
 @pytest.mark.parametrize("name", SOME)
 def test_what_word_reckons_is_what_stands_there(name):
     """Numbers of headings, formulas, figures and tables, and references to them: each reckoned again."""
-    root = root_of(name)
+    reckons(root_of(name))
+
+
+def reckons(root):
     reckoned, known = Reckoner(root), marks(root)
     assert reckoned.said and not [one for one in reckoned.said if one[1] != one[2]]
     assert len({one.get(f"{W}id") for one in root.iter(f"{W}bookmarkStart")}) == len(known)
@@ -150,7 +154,10 @@ def test_what_word_reckons_is_what_stands_there(name):
 
 @pytest.mark.parametrize("name", SOME)
 def test_the_contents_name_every_heading_and_lead_to_it(name):
-    root = root_of(name)
+    leads(root_of(name))
+
+
+def leads(root):
     numbers, known = Reckoner(root).numbers, marks(root)
     lines = [one for one in root.iter(f"{W}p") if style_of(one).startswith("TOC")]
     heads = [
@@ -169,6 +176,14 @@ def test_the_contents_name_every_heading_and_lead_to_it(name):
     assert says.count('TOC \\o "1-2" \\h \\z \\u') == 1 and sum(
         one.startswith("PAGEREF") for one in says
     ) == len(lines)
+
+
+def test_so_they_do_where_there_are_appendices():
+    """Their headings are numbered by their letters, which no word processor counts."""
+    root = document_of(of_depth(solved("compressor"), "docx", "ru", "course")["note.docx"])
+    assert sum(style_of(one) == "Appendix" for one in root.iter(f"{W}p")) > 2
+    reckons(root)
+    leads(root)
 
 
 # --- what it says
