@@ -19,9 +19,10 @@ from tmm_report import languages, load, solve
 from tmm_report.cli import app
 from tmm_report.commands.whole import LIST
 from tmm_report.i18n import DOMAINS, Translator
-from tmm_report.languages import LANGUAGES, SIGNS, Language, language, of_locale
+from tmm_report.languages import FALLBACK, LANGUAGES, SIGNS, Language, language, of_locale
 from tmm_report.loading import schema
 from tmm_report.problems import Message, ProblemError
+from tmm_report.profiles import NAMES, shipped
 from tmm_report.quantity.text import UNITS
 from tmm_report.variant import new
 
@@ -39,6 +40,7 @@ def tool():
 def lacking(row: Language, tool: dict) -> list[str]:
     """Every piece of a language that is missing or wrong, in words."""
     pieces = [*of_table(row), *of_starting_variant(row)]
+    pieces += of_profiles(row)
     return pieces if row.ids else [*pieces, *of_translations(row, tool)]
 
 
@@ -68,6 +70,16 @@ def of_starting_variant(row: Language) -> Iterator[str]:
     else:
         if started.language != row.code:
             yield f"new/{row.code}.yaml: language {started.language}"
+
+
+def of_profiles(row: Language) -> Iterator[str]:
+    """Words of the note that a shipped profile has in English and not in the language; a profile that is not there."""
+    if row.profile not in NAMES:
+        yield f"languages.py: profile {row.profile!r}"
+    for name in NAMES:
+        words = shipped(name).words
+        lost = words[FALLBACK].keys() - words.get(row.code, {}).keys()
+        yield from (f"profiles/{name}.yaml: no {word} in {row.code}" for word in sorted(lost))
 
 
 def of_translations(row: Language, tool: dict) -> list[str]:
@@ -120,6 +132,8 @@ def test_of_a_language_with_only_a_row_everything_is_missing(tool, monkeypatch):
         "locale/eo: messages.po",
         "locale/eo: messages.mo",
         "glossary.yaml: 0 terms",
+        "profiles/gost.yaml: no figure in eo",
+        "profiles/kz.yaml: no where in eo",
     ):
         assert piece in said, said
 

@@ -9,6 +9,7 @@ DEPARTMENT = ("tests/batches/test_department.py",)
 OWN = ("tests/report/test_own_template.py",)
 CATALOGUES = ("tests/languages/test_catalogues.py",)
 OWN_WORDS = ("tests/wording/test_own_words.py",)
+LETTERS, TAKING = ("tests/languages/test_letters.py",), ("tests/languages/test_taking.py",)
 FRAMES = ("tests/report/paper/test_frames.py",)
 THINNED = ("tests/figures/test_thinning.py",)
 SHEETS = ("tests/sheets/test_drawing_sheets.py", "tests/sheets/test_sheet_files.py")
@@ -55,6 +56,12 @@ FAULTS = (
           "pieces[:] = [pattern.sub(swap, piece) for piece in pieces]", tests=OWN_WORDS),
     Fault("own words in a note of another language", "tmm_report/commands/files.py",
           "return Translator(language)\n", "return Translator(language, None, variant.words)\n", tests=OWN_WORDS),
+    Fault("a Cyrillic i of LaTeX copied as a Latin one", "templates/report.tex.j2",
+          "\\DeclareUnicodeCharacter{0456}{\\NoteSmallI}\n", "", tests=LETTERS),
+    Fault("own letters of Kazakh drawn as those like them", "tmm_report/figures/sheets/strokes.py",
+          "_glyphs().get(char)", "_glyphs().get({'қ': 'к', 'ң': 'н'}.get(char, char))", tests=LETTERS),
+    Fault("a translation taken in with letters of another language", "tools/wording/take.py",
+          "if foreign := foreign_letters(form, code):", "if foreign := '':", tests=TAKING),
     Fault("a doubt of a note among the messages", "tools/wording/texts.py",
           '"tmm_report/variant/slips/odd.py"', '"tmm_report/variant/slips/odder.py"', tests=CATALOGUES),
     Fault("a catalogue without the other behind it", "tmm_report/i18n.py",
