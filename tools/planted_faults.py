@@ -36,6 +36,7 @@ import faults_note  # noqa: E402
 import faults_words  # noqa: E402
 from faults import Fault  # noqa: E402
 from plants import cams as faults_cams  # noqa: E402
+from plants import docsite as faults_docsite  # noqa: E402
 from plants import gears as faults_gears  # noqa: E402
 from plants import interactive as faults_interactive  # noqa: E402
 from plants import lint as faults_lint  # noqa: E402
@@ -52,6 +53,7 @@ FAULTS = (
     *faults_motion.FAULTS,
     *faults_balance.FAULTS,
     *faults_cams.FAULTS,
+    *faults_docsite.FAULTS,
     *faults_note.FAULTS,
     *faults_depth.FAULTS,
     *faults_paper.FAULTS,

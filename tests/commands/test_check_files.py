@@ -146,12 +146,12 @@ def commands(node):
 
 
 @pytest.mark.parametrize("name", ["github-actions.yml", "gitlab-ci.yml"])
-def test_the_examples_install_the_package_from_the_index(name):
-    """The repository that they are copied to holds samples, not the program."""
+def test_the_examples_install_the_package_from_a_wheel_or_the_index(name):
+    """The repository that they are copied to holds samples, perhaps a wheel, and not the program."""
     text = (ROOT / "docs" / "ci" / name).read_text("utf-8")
     package = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["name"]
     installs = re.findall(r"pip install (.*)", text)
-    assert installs == [package]
+    assert installs == [f"--find-links wheels {package}"]
 
 
 @pytest.mark.parametrize("name", ["github-actions.yml", "gitlab-ci.yml"])
