@@ -33,6 +33,7 @@ from tmm_report.course import DEPTHS, Results
 VARIANTS = Path(__file__).parents[1] / "variants"
 WORD = re.compile(r'<word xMin="([\d.]+)" yMin="([\d.]+)" xMax="[\d.]+" yMax="[\d.]+">(.*?)</word>')
 DOTS = 20  # an inch, at which ink is looked for
+TOP = 0.12  # of a page: a heading that stands higher begins it
 BELOW = 18.0  # mm from the lower edge: there stands the page's number
 
 
@@ -80,9 +81,11 @@ def chapters(
     for title in reversed(titles):  # from the end: the contents names them all before
         after = max((place for place in _places(words, title) if place <= after), default=after)
         starts.insert(0, after)
-    ends = [*starts[1:], float(len(words))]
+    apart = ["appendix" in classes for classes, _ in found]  # these begin a page, if on a sheet of their own
+    begun = zip(apart[1:], starts[1:], strict=True)
+    ends = [*(int(one) if alone or one % 1 < TOP else one for alone, one in begun), float(len(words))]
     for (classes, _), title, start, end in zip(found, titles, starts, ends, strict=True):
-        whole = filled[int(np.ceil(start)) : max(int(np.ceil(start)), int(np.ceil(end)) - 1)]
+        whole = filled[int(start) : max(int(start), int(np.ceil(end)) - 1)]
         yield Chapter(title, "appendix" in classes, start, end, whole)
 
 

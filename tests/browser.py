@@ -110,7 +110,7 @@ document.fonts.ready.then(() => {
   const seen = e => !e.closest("svg, .sheet") && (e.localName === "math" || !e.closest("math"));
   const wide = all("main *").filter(e => seen(e) && outside(e.getBoundingClientRect()));
   const maths = all(".formula math:not(.again)").map(e => [e.outerHTML, e.getBoundingClientRect().width / size(e)]);
-  const drawn = all("figure svg").map(e => [e.getAttribute("width"), e.getBoundingClientRect().width]);
+  const drawn = all("figure svg").map(e => [e.getAttribute("width"), parseFloat(getComputedStyle(e).width)]);
   return {text: main.width, wide: wide.map(e => e.outerHTML.slice(0, 200)), maths, drawn};
 })
 """

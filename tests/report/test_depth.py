@@ -23,7 +23,9 @@ from tmm_report.report.numbering import Appendix, Numbering
 
 TEMPLATES = Path(__file__).parents[2] / "templates" / "chapters"
 NAMES = ("compressor", "cam_press", "hoist_drive", "punch_press")
-NUMBERED = re.compile(r'<(?:figure|div)[^>]* id="(figure|table|formula)(-appendix\d+\.|)([\d.]+)"')
+NUMBERED = re.compile(
+    r'<(?:figure|div)[^>]* id="(figure|table|formula)(-appendix\d+\.|-drawings\.|)([\d.]+)"'
+)
 
 
 @cache
@@ -89,7 +91,13 @@ def test_numbers_follow_one_another_in_the_text_and_in_each_appendix(name, depth
 def test_a_shorter_note_says_nothing_else(name):
     short, course, full = (marked(text(name, depth)) for depth in DEPTHS)
     assert short <= full and course <= full
-    assert "Appendix" not in text(name, "full") and "Appendix" not in text(name, "short")
+    apart = [
+        head
+        for depth in ("short", "full")
+        for head in heads(text(name, depth))
+        if head.startswith("Appendix")
+    ]
+    assert all(head.endswith("Drawings") for head in apart)
 
 
 def test_the_usual_note_of_a_compressor_is_shorter_and_has_appendices():
@@ -167,7 +175,7 @@ def test_headings_keep_their_ranks_in_an_appendix():
     numbering = Numbering()
     numbering.section("Gears")
     numbering.section("A pair", 2)
-    appendix = Appendix.of("A", 1, "Gears")
+    appendix = Appendix.of("A", "appendix1", "Gears")
     with numbering.within(appendix):
         numbers = [numbering.section("one", 3), numbering.section("its part", 4), numbering.section("two", 3)]
     with numbering.within(appendix):

@@ -3,9 +3,11 @@
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import numpy as np
 import pytest
 from conftest import read
 from notes import program, static
+from typesetting import set_by_tex
 
 from benchmarks.pages import chapters, fills, read_words
 from tmm_report import render, solve
@@ -14,10 +16,18 @@ from tmm_report.loading import loads
 
 MOST = {  # pages of the text and of the appendices, MB of the HTML
     ("compressor", "course"): (55, 30, 1.2),
-    ("compressor", "short"): (32, 0, 0.53),
+    ("compressor", "short"): (30, 2, 0.53),
     ("four-bar", "course"): (14, 3, 0.34),
     ("punch_press", "course"): (10, 2, 0.35),
 }
+
+FULL, APART = (
+    2 / 3,
+    0.55,
+)  # of a page, between its margins: the least but the last of a chapter; of an appendix, where
+# figures follow one another and little text fills what is left between them
+FILLED = [("compressor", "short", "html"), ("compressor", "course", "html"), ("compressor", "course", "tex"),
+          ("compressor", "full", "html"), ("hoist_drive", "course", "html"), ("shaper", "course", "html")]  # fmt: skip
 
 FOUR_BAR = """
 language: ru
@@ -52,3 +62,32 @@ def test_a_note_takes_no_more_pages_than_it_may(name, depth):
     assert (
         len(static(html.decode()).encode()) <= 1e6 * size
     )  # what moves it has its own bound, in tests/living
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize(("name", "depth", "of"), FILLED)
+def test_no_page_within_a_chapter_is_less_than_two_thirds_full(name, depth, of):
+    program("chromium"), program("pdftotext")
+    results = solve(read(name))
+    html = render(results, "html", depth=depth)["note.html"]
+    pdf = set_by_tex(render(results, "tex", depth=depth))[1] if of == "tex" else printed(html)
+    found = chapters_of(html, pdf)
+    fill = [fill for chapter in found for fill in chapter.fill]
+    assert len(fill) > 10 and np.mean(fill) > 0.9
+    assert all(fill >= (APART if one.appendix else FULL) for one in found for fill in one.fill)
+
+
+@pytest.mark.exhaustive
+def test_a_page_half_empty_is_seen():
+    program("chromium"), program("pdftotext")
+    html = render(solve(read("compressor")), "html", depth="short")["note.html"]
+    head, mark, rest = html.partition(b'<h2 id="section4.2">')
+    broken = head + b'<div style="break-before: page"></div>' + mark + rest
+    assert min(fill for one in chapters_of(html, printed(broken)) for fill in one.fill) < FULL
+
+
+def chapters_of(html, pdf):
+    with TemporaryDirectory() as folder:
+        file = Path(folder, "note.pdf")
+        file.write_bytes(pdf)
+        return list(chapters(html, read_words(file), fills(file, Path(folder))))

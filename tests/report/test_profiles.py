@@ -336,15 +336,11 @@ def test_every_picture_has_its_own_size_in_the_browser(name):
     )
 
 
-def test_what_a_page_of_wide_margins_does_not_hold_stands_on_a_sheet():
+def test_what_a_page_of_wide_margins_does_not_hold_stands_sideways():
     paper = Paper(ODD.margins, ODD.text)
-    assert (
-        paper.width == 152
-        and paper.sheet_of((160.0, 100.0)).name == "a4"
-        and USUAL.sheet_of((160.0, 100.0)) is None
-    )
+    assert paper.width == 152 and paper.turns((160.0, 100.0)) and USUAL.fits((160.0, 100.0))
     assert paper.percent((160.0, 100.0)) == 100
-    assert 'class="sheet a4"' in html("odd", depth="course")
+    assert 'class="sideways"' in html("odd", depth="course")
 
 
 def test_a_note_of_a_variant_that_states_nothing_is_of_the_standard():

@@ -1,4 +1,4 @@
-"""Pictures on paper at their own size: which sheet holds one, where it comes, that nothing is turned or reduced."""
+"""Pictures on paper at their own size: which page or sheet holds one, where it comes, that none is reduced."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tmm_report.profiles import NAMES, shipped
 from tmm_report.report.formats import Html, Tex
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
-from tmm_report.report.paper.rows import Kept, laid
+from tmm_report.report.paper.rows import Kept, on_sheets, together
 from tmm_report.report.paper.sheets import CAPTION, USUAL, Paper
 
 TITLE = SimpleNamespace(topic="", student="")
@@ -33,7 +33,7 @@ def across(size: float, tall: float = 0.0) -> Drawing:
 @pytest.mark.parametrize(
     ("size", "name"),
     [
-        ((166, 100), "a4"), ((261, 150), "a4"), ((261, 151), "a3"), ((375, 242), "a3"), ((200, 300), "a3tall"),
+        ((258, 150), "a3"), ((257, 151), "a3"), ((375, 242), "a3"), ((200, 300), "a3tall"),
         ((500, 200), "a4x3"), ((500, 300), "a2"), ((300, 500), "a2tall"), ((700, 500), "a1"), ((500, 700), "a1tall"),
     ],
 )  # fmt: skip
@@ -43,13 +43,18 @@ def test_the_smallest_sheet_that_holds_a_picture(size, name):
 
 def test_what_the_text_holds_stands_in_it():
     assert USUAL.page == (165.0, 228.0) and USUAL.sheet_of(USUAL.page) is None and USUAL.fits(USUAL.page)
-    assert USUAL.sheet_of((10.0, 229.0)) is not None
+    assert USUAL.sheet_of((10.0, 229.0)) is not None and not USUAL.turns((10.0, 229.0))
+
+
+@pytest.mark.parametrize("size", [(166, 10), (257, 150), (200, 100)])
+def test_what_its_page_holds_sideways_has_no_sheet(size):
+    assert USUAL.turns(size) and not USUAL.fits(size) and USUAL.sheet_of(size) is None
 
 
 @given(SIZES)
 def test_only_what_no_sheet_holds_is_reduced(size):
     sheet = USUAL.sheet_of(size)
-    held = USUAL.fits(size) or any(one.holds(size) for one in USUAL.sheets)
+    held = USUAL.fits(size) or USUAL.turns(size) or any(one.holds(size) for one in USUAL.sheets)
     assert (USUAL.percent(size) == 100) == held
     if not held:
         share = USUAL.percent(size) / 100
@@ -75,8 +80,9 @@ def test_the_style_of_a_note_has_the_sheets_of_its_profile(name):
         assert (wide, tall) == (sheet.wide, sheet.tall) and (left, above) == sheet.corner
         assert (wide - left - right, tall - above - below) == sheet.field
         assert f".{sheet.name} {{ page: {sheet.name}; width: {sheet.field[0]:g}mm" in style
-        turned = sheet.name == "a4"
-        assert (above, below) == ((margins.left, margins.right) if turned else (margins.top, margins.bottom))
+        assert (above, below) == (margins.top, margins.bottom)
+    size = re.search(r"\.sideways > div \{ width: ([\d.]+)mm; height: ([\d.]+)mm", style).groups()
+    assert tuple(map(float, size)) == pytest.approx((paper.sideways[0] - 1, paper.width))
 
 
 # --- HTML
@@ -86,31 +92,49 @@ def figure(name: str) -> Markup:
     return Markup(f"<figure>{name}</figure>")
 
 
-def test_figures_wait_behind_sheets_and_keep_the_order():
+SHOWN = r'class="(sheet \w+|sideways|row|appendix)|<figure>(\w+)'
+
+
+def test_large_drawings_stand_behind_all_and_the_text_goes_on():
     form = Html()
-    assert form.placed(figure("0"), across(100)) == figure("0")  # nothing waits
-    assert form.placed(figure("1"), across(200)) == form.placed(figure("2"), across(400)) == ""
-    assert form.placed(figure("3"), across(100)) == ""  # the text goes on
-    assert re.findall(r'sheet (\w+)|<figure>(\d)', form.due()) == [
-        ("a4", ""), ("", "1"), ("a4x3", ""), ("", "2"), ("", "3")
+    assert form.placed(figure("0"), across(100)) == figure("0")
+    assert form.placed(figure("1"), across(300)) == form.placed(figure("2"), across(400, 200)) == ""
+    assert form.placed(figure("3"), across(100)) == figure("3") and form.due() == ""
+    found = form.sheets(Markup('<h1 class="appendix">'))
+    assert re.findall(SHOWN, found) == [
+        ("sheet a3", ""), ("appendix", ""), ("", "1"), ("sheet a4x3", ""), ("", "2")
     ]  # fmt: skip
-    assert form.due() == ""
+
+
+def test_what_stands_sideways_shares_a_page_and_keeps_the_order():
+    form = Html()
+    for name, size in (("0", (200, 60)), ("1", (250, 60)), ("2", (200, 60)), ("3", (100, 60))):
+        assert form.placed(figure(name), across(*size)) == ""
+    assert re.findall(SHOWN, form.due()) == [
+        ("sideways", ""), ("", "0"), ("", "1"), ("sideways", ""), ("", "2"), ("", "3")
+    ]  # fmt: skip
+    assert form.placed(figure("4"), across(100)) == figure("4")
+
+
+def test_the_first_drawing_leaves_room_for_the_heading():
+    tall = 297 - 40 - CAPTION  # what an A3 holds
+    form = Html()
+    assert form.percent(across(375, tall)) == 100
+    form.placed(figure("0"), across(375, tall))
+    form.placed(figure("1"), across(375, tall))
+    assert re.findall(SHOWN, form.sheets(Markup(""))) == [
+        ("sheet a2", ""), ("", "0"), ("sheet a3", ""), ("", "1")
+    ]  # fmt: skip
 
 
 def test_a_sheet_takes_as_many_figures_as_it_holds():
     form = Html()
-    for k, tall in enumerate((60, 60, 60)):
-        form.placed(figure(str(k)), across(200, tall))
-    assert [sheet.count("<figure>") for sheet in form.due().split('<div class="sheet')[1:]] == [2, 1]
-
-
-def test_a_figure_that_the_text_holds_shares_a_sheet():
-    form = Html()
-    for size in ((200, 60), (100, 60), (100, 60)):
-        form.placed(figure(str(size)), across(*size))
-    first, second = form.due().split("</div>")[:2]
-    assert first.startswith('<div class="sheet a4">') and first.count("<figure>") == 2
-    assert second.strip().startswith("<figure>")  # what the sheet does not hold stands in the text
+    for k in range(4):
+        form.placed(figure(str(k)), across(300, 90))
+    assert [sheet.count("<figure>") for sheet in form.sheets(Markup("")).split('<div class="sheet')[1:]] == [
+        2,
+        2,
+    ]
 
 
 def test_gathered_figures_stand_side_by_side_in_their_order():
@@ -123,18 +147,25 @@ def test_gathered_figures_stand_side_by_side_in_their_order():
     assert form.placed(figure("1"), across(100)) == figure("1")  # after the heading they stand where they are
 
 
-@given(st.lists(st.tuples(st.floats(10, 300), st.floats(10, 220)), min_size=1, max_size=9))
-def test_no_figure_is_lost_and_none_wider_than_its_paper(sizes):
-    blocks = laid((Kept(k, size) for k, size in enumerate(sizes)), USUAL)
-    rows = [row for block in blocks for row in block]
+@given(st.lists(st.tuples(st.floats(10, 257), st.floats(10, 150)), min_size=1, max_size=9))
+def test_no_figure_is_lost_and_none_wider_than_its_page(sizes):
+    rows = together((Kept(k, size) for k, size in enumerate(sizes)), USUAL)
     assert [one.figure for row in rows for one in row.figures] == list(range(len(sizes)))
-    for block in blocks:
-        sheet = block[0].sheet
-        assert all(row.sheet == sheet for row in block) and (sheet or len(block) == 1)
-        if len(block) > 1:
-            assert sum(row.tall for row in block) <= sheet.field[1]
     for row in rows:
-        assert len(row.figures) == 1 or row.wide <= USUAL.width
+        assert len(row.figures) == 1 or row.sideways or row.wide <= USUAL.width
+        assert row.sideways or all(USUAL.fits(one.size) for one in row.figures)
+        if row.sideways:
+            assert sum(one.size[1] + CAPTION for one in row.figures) <= USUAL.width + 1e-9
+
+
+@given(st.lists(st.tuples(st.floats(258, 800), st.floats(10, 500)), min_size=1, max_size=9))
+def test_no_drawing_is_lost_and_each_is_on_a_sheet_that_holds_it(sizes):
+    found = on_sheets((Kept(k, size) for k, size in enumerate(sizes)), USUAL)
+    assert [one.figure for drawings in found for one in drawings.figures] == list(range(len(sizes)))
+    for sheet, figures in found:
+        if len(figures) > 1:
+            assert sum(one.size[1] + CAPTION for one in figures) <= sheet.field[1] + 1e-9
+        assert all(sheet.holds(one.size) or USUAL.percent(one.size) < 100 for one in figures)
 
 
 def test_a_picture_is_drawn_at_its_size_and_never_turned():
@@ -154,8 +185,13 @@ def note(*sizes: tuple[float, float]) -> dict[str, bytes]:
     }
     m = template("macros.tex.j2").make_module(given)
     body = [m.p("Text.") + m.figure(across(*size), f"of {size[0]} mm") for size in sizes]
+    drawings = page.drawings()
+    body.append(
+        page.form.due()
+        + page.form.sheets(m.appendix(drawings.head, on_sheet=True) if drawings else Markup(""))
+    )
     text = template("report.tex.j2").render(given | {"m": m, "head": "", "body": body, "frames": None})
-    return {"note.tex": text.encode(), **page.form.files}
+    return {"note.tex": page.numbering.resolved(text).encode(), **page.form.files}
 
 
 def printed(files: dict[str, bytes]) -> list[tuple[float, float, list[str]]]:
@@ -188,11 +224,9 @@ def test_figures_of_latex_stand_side_by_side(tmp_path):
 
 
 @pytest.mark.exhaustive
-def test_a_sheet_of_latex_follows_the_page_that_comes_to_it_and_pages_are_numbered_through(tmp_path):
+def test_drawings_of_latex_follow_the_text_and_pages_are_numbered_through():
     found = printed(note((100, 20), (250, 20), (200, 50), (400, 100), (100, 20), (300, 300)))
-    assert [page[:2] for page in found] == [
-        (210, 297), (210, 297), (297, 210), (630, 297), (210, 297), (594, 420)
-    ]  # fmt: skip
-    assert [page[2][-1] for page in found] == [str(k) for k in range(1, 7)]
-    figures = [re.findall(r"Figure (\d)", " ".join(words)) for *_, words in found]
-    assert figures == [[], ["1"], ["2", "3"], ["4"], ["5"], ["6"]]
+    assert [page[:2] for page in found] == [(210, 297), (210, 297), (210, 297), (630, 297), (594, 420)]
+    assert all({page[2][0], page[2][-1]} & {str(k)} for k, page in enumerate(found, 1))
+    figures = [re.findall(r"Figure ([\d.A]+)", " ".join(words)) for *_, words in found]
+    assert [sorted(names) for names in figures] == [[], ["1"], ["2", "3", "4"], ["A.1"], ["A.2"]]

@@ -209,24 +209,19 @@ def near_origin(drawing: Drawing) -> Drawing:
     return drawing.moved(-complex(left, bottom)) if far else drawing
 
 
-def svg(drawing: Drawing, turned: bool = False, title: str = "") -> str:
+def svg(drawing: Drawing, title: str = "") -> str:
     """The drawing as one `svg` element of its size in mm; no ids, no scripts, nothing fetched.
 
-    `turned`: by 90° clockwise, as a tall page lies with its binding above; `title`: of one that has none.
+    `title`: of one that has none.
     """
     drawing = near_origin(drawing)
     left, bottom, right, top = drawing.box
     wide, tall = written(right - left), written(top - bottom)
-    corner = (bottom, left) if turned else (left, -top)
-    size = (tall, wide) if turned else (wide, tall)
     head = (
-        f'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="{size[0]}mm" height="{size[1]}mm"'
-        f' viewBox="{written(corner[0])} {written(corner[1])} {size[0]} {size[1]}">'
+        f'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="{wide}mm" height="{tall}mm"'
+        f' viewBox="{written(left)} {written(-top)} {wide} {tall}">'
     )
-    look = 'fill="none" stroke-linecap="round" stroke-linejoin="round"' + (
-        ' transform="rotate(90)"' if turned else ""
-    )
-    style = f'<g {look} font-family="{FONTS}" font-size="{TEXT}">'
+    style = f'<g fill="none" stroke-linecap="round" stroke-linejoin="round" font-family="{FONTS}" font-size="{TEXT}">'
     places: list[complex] = []
     body = "".join([item.svg(places) for item in thinned(drawing.items) if not isinstance(item, Text)])
     texts = "".join([item.svg(places) for item in drawing.items if isinstance(item, Text)])

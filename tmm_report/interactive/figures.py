@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from dataclasses import replace
 from pathlib import Path
 
 from markupsafe import Markup
@@ -55,14 +56,16 @@ class Figure:
 def gathered(results: Results, tr: Translator) -> list[Figure]:
     """All figures of the note of full depth, in its order."""
     found: list[Figure] = []
+    numbering = _Named()
 
     def parts(page: Page) -> list[Part]:
-        page.numbering = numbering = _Named()
+        page.numbering = numbering
         page.form = _Gathering(numbering, found)
         return list(note.parts(results, page))
 
     render(parts, results.variant.title, "html", tr)
-    return found
+    known = numbering.resolved  # the letter of the last appendix is known in the end
+    return [replace(one, number=known(one.number), caption=known(one.caption)) for one in found]
 
 
 class _Named(Numbering):

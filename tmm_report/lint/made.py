@@ -125,7 +125,7 @@ def line_at(text: str, at: int) -> int:
     return 1 + text.count("\n", 0, at)
 
 
-NUMBERED = re.compile(r"(figure|table|formula|section|appendix)(?:-(appendix))?([\d.]+)")
+NUMBERED = re.compile(r"(figure|table|formula|section|appendix)(?:-(appendix|drawings))?([\d.]+)")
 
 
 def series(anchor: str) -> tuple[str, int] | None:

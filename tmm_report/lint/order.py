@@ -39,7 +39,7 @@ def _referred(anchor: str) -> bool:
 
 
 def _of_text(anchor: str) -> bool:
-    return _referred(anchor) and "-appendix" not in anchor
+    return _referred(anchor) and "-" not in anchor
 
 
 def unreferenced(made: Made) -> Iterator[Problem]:

@@ -144,7 +144,7 @@ def _walk(page: Page) -> None:
     sheets = {
         id(one): div.get("class", "")
         for div in page.root.iter("div")
-        if _is(div, "sheet")
+        if _is(div, "sheet") or _is(div, "sideways")
         for one in div.iter("figure")
     }
     cells = {one for cell in page.root.iter("td") for one in cell.iter()}

@@ -34,7 +34,8 @@ def over_margin(made: Made) -> Iterator[Problem]:
     for picture in page.pictures:
         size = _size(picture)
         sheet = next((one for one in paper.sheets if one.name in picture.sheet.split()), None)
-        held = paper.fits(size) if sheet is None else sheet.holds(size) or paper.percent(size) < 100
+        alone = paper.fits(size) or (picture.sheet == "sideways" and paper.turns(size))
+        held = alone if sheet is None else sheet.holds(size) or paper.percent(size) < 100
         if not held:
             yield _wider(made, picture.anchor, size[0], paper.width if sheet is None else sheet.field[0])
 

@@ -18,7 +18,7 @@ class Source(NamedTuple):
 _ANCHOR = r"[\w.-]+"
 _STEPS = re.compile(
     rf"\\hyperlink\{{(?P<said>{_ANCHOR})\}}\{{[^{{}}]*\}}(?P<on>--|–)?"
-    rf"|\\begin\{{Note(?:Figure|Sheet|InRow)\}}(?:\{{[\d.]+mm\}})?\{{(?P<figure>{_ANCHOR})\}}"
+    rf"|\\begin\{{Note(?:Figure|Drawing|InRow)\}}(?:\{{[\d.]+mm\}})?\{{(?P<figure>{_ANCHOR})\}}"
     rf"\{{(?P<caption>[^{{}}]{{1,40}}?)(?: (?:--|—|–)|\. )"
     rf"|\\hypertarget\{{(?P<table>table{_ANCHOR})\}}\{{\}}%\s*(?P<head>[^\n]*(?:\n\\NoteLongCaption[^\n]*)?)"
     rf"|\\NoteFormula\{{(?P<formula>{_ANCHOR})\}}\{{(?P<number>[^{{}}]*)\}}"

@@ -77,7 +77,7 @@ def render(
     own = _own(template_of) if template_of else None
     text = _written(given, parts, page, undone, own)
     if living is not None and fmt == "html":
-        text = living(text, page)
+        text = page.numbering.resolved(living(text, page), whole=False)
     if fmt == "docx":
         return {"note.docx": _packed(text, given, page)}
     return page.form.files if fmt == "png" else {f"note.{fmt}": text.encode(), **page.form.files}
@@ -130,8 +130,9 @@ def _written(
     body += [chapter("conclusions", lines=[*left_out, *concluded])]
     if page.cited.names:
         body.append(chapter("references", names=page.cited.order("".join(body))))
+    drawings = page.drawings()
     if page.appendices:
-        body.append(chapter("appendices"))
+        body.append(chapter("appendices", drawings=drawings))
     # what stands in front tells of what the note has
     page.numbering.begin_front()
     failed = [*left_out, *(line for line in concluded if isinstance(line, Failed))]

@@ -45,9 +45,9 @@ class Appendix:
     pieces: list[Markup]
 
     @classmethod
-    def of(cls, letter: str, number: int, title: str) -> Appendix:
-        """`number`: among the appendices, from 1: anchors are of plain letters, whatever the letter."""
-        head = Section(Place(letter, f"appendix{number}"), title, 1, True)
+    def of(cls, letter: str, anchor: str, title: str) -> Appendix:
+        """`anchor`: with which all anchors within it begin: of plain letters, whatever the letter."""
+        head = Section(Place(letter, anchor), title, 1, True)
         return cls(head, [head], [])
 
 
@@ -131,13 +131,21 @@ class Numbering:
         """The next number of a kind: "figure", "table", "formula"."""
         if self._appendix:
             letter = self._appendix.head.place.number
-            number = f"{letter}.{self._next((kind, letter))}"
+            number = letter + f".{self._next((kind, letter))}"  # which may be a mark
         elif self.scheme.through(kind):
             number = str(self._next(kind))
         else:
             chapter = self.sections[-1].place.number.split(".")[0] if self.sections else "0"
             number = f"{chapter}.{self._next((kind, chapter))}"
         return self._keep(label, Place(number, self._anchor(kind, number)))
+
+    def take_in(self, appendix: Appendix, kind: str, label: str = "") -> Place:
+        """The same in an appendix, wherever it is come to."""
+        before, self._appendix = self._appendix, appendix
+        try:
+            return self.take(kind, label)
+        finally:
+            self._appendix = before
 
     def _anchor(self, kind: str, number: str) -> str:
         if self._appendix is None:

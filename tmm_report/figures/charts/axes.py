@@ -37,10 +37,10 @@ TALLEST, ALONE, LEAST = (
 SPARE, EDGE = 5.0, 2.0  # mm beyond a curve where a value is written, and where none is
 ROOMS = (
     112.0,
-    149.0,
+    158.0,
     222.0,
     364.0,
-)  # mm: height of half a page, of two thirds, of a whole one, of A3 standing
+)  # mm: height of half a page, of two thirds with the caption, of a whole one, of A3 standing
 ALONG = (1.0, 1.25, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)  # round scales along an axis, times a power of ten
 ROUND = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)  # steps of ticks, times a power of ten
 

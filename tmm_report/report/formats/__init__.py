@@ -7,7 +7,7 @@ A format that few notes have is a room of its own, which is read when it is aske
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import field
 from functools import lru_cache
 from html import unescape
@@ -24,8 +24,7 @@ from tmm_report.records import dataclass
 from tmm_report.report.paper.layout import Cell, Words
 from tmm_report.report.paper.lines import broken, finer, pieces
 from tmm_report.report.paper.measure import breakable
-from tmm_report.report.paper.rows import Kept, Row, Waiting
-from tmm_report.report.paper.sheets import Paper
+from tmm_report.report.paper.rows import Drawings, Row, Waiting
 
 
 class Mathematics(Protocol):
@@ -38,24 +37,8 @@ class Mathematics(Protocol):
     def printed(self, form: Notation) -> str: ...
 
 
-class Flowing(Waiting[Markup]):
-    """Figures that have sheets of their own wait, and those behind them: they stand before the next heading, together,
-    so that the text goes on and is broken once."""
-
-    def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
-        """A figure with its caption where it stands: in the text, or behind those that wait."""
-        if not self.gathers and not self.waiting and self.paper.sheet_of(picture.size) is None:
-            return figure
-        self.waiting.append(Kept(figure, picture.size))
-        return Markup("")
-
-    def flowing(self) -> Markup:
-        """At a heading that the text goes on with: figures that wait for a sheet wait on, and those behind them."""
-        return Markup("") if any(self.paper.sheet_of(one.size) for one in self.waiting) else self.due()
-
-
 @dataclass
-class Html(Flowing):
+class Html(Waiting[Markup]):
     """One self-contained file: pictures stand in it as svg.
 
     `breaking`: whether a line may break within words longer than any of a language, as in a note; `pictures`: those of
@@ -92,24 +75,28 @@ class Html(Flowing):
         drawing = svg(drawing_of(picture), title=_words(str(caption)))
         return Markup(drawing.replace(_LETTERS, "", 1).replace('"#000000"', '"#000"'))
 
-    def block(self, rows: Sequence[Row[Markup]]) -> Markup:
-        """Rows of figures on a sheet, or one in the text."""
-        figures = Markup("").join(map(_row, rows))
-        sheet = rows[0].sheet
-        return Markup(f'<div class="sheet {sheet.name}">\n{figures}</div>\n') if sheet else figures
+    def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
+        """A figure with its caption where it comes, if it stands there."""
+        return Markup("") if self.kept(figure, picture) else figure
+
+    def row(self, row: Row[Markup]) -> Markup:
+        if row.sideways:
+            figures = Markup("").join(one.figure for one in row.figures)
+            return Markup(f'<div class="sideways"><div>\n{figures}</div></div>\n')
+        if len(row.figures) == 1:
+            return row.figures[0].figure
+        beside = [f'<div style="flex:1 1 {one.wide:.1f}mm">{one.figure}</div>' for one in row.figures]
+        return Markup(f'<div class="row">\n{"".join(beside)}</div>\n')
+
+    def sheet(self, drawings: Drawings[Markup], head: Markup) -> Markup:
+        figures = Markup("").join(one.figure for one in drawings.figures)
+        return Markup(f'<div class="sheet {drawings.sheet.name}">\n{head}{figures}</div>\n')
 
 
 def _words(caption: str) -> str:
     """What a caption says in plain text, without mathematics and what follows it."""
     plain = unescape(re.sub("<[^>]*>", "", caption.partition("<math")[0]))
     return plain.rstrip(" ,;:–—\N{NO-BREAK SPACE}\N{WORD JOINER}")
-
-
-def _row(row: Row[Markup]) -> Markup:
-    if len(row.figures) == 1:
-        return row.figures[0].figure
-    beside = [f'<div style="flex:1 1 {one.wide:.1f}mm">{one.figure}</div>' for one in row.figures]
-    return Markup(f'<div class="row">\n{"".join(beside)}</div>\n')
 
 
 @lru_cache(maxsize=4096)
@@ -141,47 +128,43 @@ class Tex(Waiting[tuple[str, Markup, Markup]]):
         return Markup("".join(_displayed(one, line) for one in pieces(text)) if display else f"${text}$")
 
     def placed(self, anchor: str, caption: Markup, drawn: Markup, picture: Drawing | Graph) -> Markup:
-        """A figure where it stands, in the text or behind those that wait; a sheet follows them."""
-        if self.gathers and self.paper.sheet_of(picture.size) is None:
-            self.waiting.append(Kept((anchor, caption, drawn), picture.size))
-            return Markup("")
-        before, paper = self.laid(), self.sheet(picture)
-        kind, more = ("NoteSheet", f"{{{paper}}}") if paper else ("NoteFigure", "")
-        return before + Markup(
-            f"\\begin{{{kind}}}{{{anchor}}}{{{caption}}}{more}\n\n{drawn}%\n\\end{{{kind}}}\n\n"
-        )
+        """A figure where it comes, if it stands there."""
+        figure = anchor, caption, drawn
+        return Markup("") if self.kept(figure, picture) else _tex_figure("NoteFigure", figure)
 
-    def block(self, rows: Sequence[Row[tuple[str, Markup, Markup]]]) -> Markup:
-        """Rows of figures that the text holds: what has a sheet of its own waits in LaTeX."""
-        return Markup("").join(_tex_row(row, self.paper) for row in rows)
+    def row(self, row: Row[tuple[str, Markup, Markup]]) -> Markup:
+        """What is left of the width of the text is shared among the figures."""
+        if row.sideways:
+            figures = Markup("").join(_tex_figure("NoteDrawing", one.figure) for one in row.figures)
+            return Markup(f"\\begin{{NoteSideways}}\n{figures}\\end{{NoteSideways}}\n\n")
+        more = (self.paper.width - row.wide) / len(row.figures)
+        if len(row.figures) == 1:
+            return _tex_figure("NoteFigure", row.figures[0].figure)
+        beside = list[str]()
+        for one in row.figures:
+            anchor, caption, drawn = one.figure
+            head = f"{{{one.wide + more:.1f}mm}}{{{anchor}}}{{{caption}}}"
+            beside.append(f"\\begin{{NoteInRow}}{head}\n{drawn}%\n\\end{{NoteInRow}}%\n")
+        return Markup("\\begin{NoteRow}\n" + "\\hfill\n".join(beside) + "\\end{NoteRow}\n\n")
+
+    def sheet(self, drawings: Drawings[tuple[str, Markup, Markup]], head: Markup) -> Markup:
+        """With width and height of the paper and of what is printed on it, margins to the left and above."""
+        one = drawings.sheet
+        sizes = "".join(f"{{{size:g}mm}}" for size in (one.wide, one.tall, *one.field, *one.corner))
+        figures = Markup("").join(_tex_figure("NoteDrawing", kept.figure) for kept in drawings.figures)
+        return Markup(f"\\begin{{NoteSheet}}{sizes}\n{head}{figures}\\end{{NoteSheet}}\n\n")
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         name = f"figures/{anchor}.tex"
         self.files[name] = tikz(drawing_of(picture)).encode()
         command = f"\\input{{{name}}}"
-        size = self.paper.percent(picture.size) / 100
+        size = self.percent(picture) / 100
         return Markup(f"\\scalebox{{{size}}}{{{command}}}" if size < 1 else command)
 
-    def sheet(self, picture: Drawing | Graph) -> Markup:
-        """Of a picture on a sheet of its own: width and height of the paper and of what is printed on it, margins to
-        the left and above."""
-        found = self.paper.sheet_of(picture.size)
-        sizes = () if found is None else (found.wide, found.tall, *found.field, *found.corner)
-        return Markup("".join(f"{{{size:g}mm}}" for size in sizes))
 
-
-def _tex_row(row: Row[tuple[str, Markup, Markup]], paper: Paper) -> Markup:
-    """Figures side by side: what is left of the width of the text is shared among them."""
-    more = (paper.width - row.wide) / len(row.figures)
-    if len(row.figures) == 1:
-        anchor, caption, drawn = row.figures[0].figure
-        return Markup(f"\\begin{{NoteFigure}}{{{anchor}}}{{{caption}}}\n\n{drawn}%\n\\end{{NoteFigure}}\n\n")
-    beside = list[str]()
-    for one in row.figures:
-        anchor, caption, drawn = one.figure
-        head = f"{{{one.wide + more:.1f}mm}}{{{anchor}}}{{{caption}}}"
-        beside.append(f"\\begin{{NoteInRow}}{head}\n{drawn}%\n\\end{{NoteInRow}}%\n")
-    return Markup("\\begin{NoteRow}\n" + "\\hfill\n".join(beside) + "\\end{NoteRow}\n\n")
+def _tex_figure(kind: str, figure: tuple[str, Markup, Markup]) -> Markup:
+    anchor, caption, drawn = figure
+    return Markup(f"\\begin{{{kind}}}{{{anchor}}}{{{caption}}}\n\n{drawn}%\n\\end{{{kind}}}\n\n")
 
 
 def _displayed(piece: str, line: float) -> str:

@@ -7,7 +7,6 @@ text: what is printed can neither be run nor break out, and names no file.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from dataclasses import field
 from functools import cache, lru_cache
 
@@ -20,16 +19,16 @@ from tmm_report.quantity.notations.typst import NEXT, notation, string
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import notation as other
 from tmm_report.records import dataclass
-from tmm_report.report.formats import Flowing, Mathematics, drawing_of
+from tmm_report.report.formats import Mathematics, drawing_of
 from tmm_report.report.paper import measure
 from tmm_report.report.paper.measure import breakable, known_letters
-from tmm_report.report.paper.rows import GAP, Row
+from tmm_report.report.paper.rows import GAP, Drawings, Row, Waiting
 
 BREAK = "\N{ZERO WIDTH SPACE}"
 
 
 @dataclass
-class Typst(Flowing):
+class Typst(Waiting[Markup]):
     """`files`: what stands beside the note: nothing."""
 
     name = "typst"
@@ -53,7 +52,7 @@ class Typst(Flowing):
         return Markup(f"{''.join(pieces)}/*{wide:.3f}*/")
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
-        size = self.paper.percent(picture.size) / 100
+        size = self.percent(picture) / 100
         drawing = drawing_of(picture)
         wide, tall = drawing.size  # of what is drawn: Typst would enlarge it to another size, and cut it
         drawn = _printable(svg(drawing))
@@ -64,21 +63,27 @@ class Typst(Flowing):
         """Text of the document's properties."""
         return Markup(string(_printable(text)))
 
-    def block(self, rows: Sequence[Row[Markup]]) -> Markup:
-        figures = Markup("").join(self._row(row) for row in rows)
-        sheet = rows[0].sheet
-        if sheet is None:
-            return figures
-        margins = ", ".join(f"{one:g}mm" for one in sheet.margins)
-        return Markup(f"#note-sheet({sheet.wide:g}mm, {sheet.tall:g}mm, ({margins}))[\n{figures}];\n")
+    def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
+        """A figure with its caption where it comes, if it stands there."""
+        return Markup("") if self.kept(figure, picture) else figure
 
-    def _row(self, row: Row[Markup]) -> Markup:
+    def row(self, row: Row[Markup]) -> Markup:
+        if row.sideways:
+            figures = Markup("").join(one.figure for one in row.figures)
+            return Markup(
+                f"#note-sideways({self.paper.height - 1:g}mm, {self.paper.width - 1:g}mm)[\n{figures}];\n"
+            )
         if len(row.figures) == 1:
             return row.figures[0].figure
-        room = (row.sheet.field[0] if row.sheet else self.paper.width) - row.wide
+        room = self.paper.width - row.wide
         widths = ", ".join(f"{one.wide + room / len(row.figures):.3f}mm" for one in row.figures)
         cells = "".join(f"[{one.figure}]" for one in row.figures)
         return Markup(f"#note-row(({widths}), {GAP:g}mm){cells};\n")
+
+    def sheet(self, drawings: Drawings[Markup], head: Markup) -> Markup:
+        sheet, figures = drawings.sheet, Markup("").join(one.figure for one in drawings.figures)
+        margins = ", ".join(f"{one:g}mm" for one in sheet.margins)
+        return Markup(f"#note-sheet({sheet.wide:g}mm, {sheet.tall:g}mm, ({margins}))[\n{head}{figures}];\n")
 
 
 # --- mathematics ---

@@ -87,24 +87,22 @@ class Frames:
         """What of these lines stands outside, mm."""
         return THICK.width / 2
 
-    def css(self, name: str, face: str, turned: bool = False) -> Markup:
+    def css(self, name: str, face: str) -> Markup:
         """A block as a picture of a style sheet, with the face of its letters, for a picture sees none of its page."""
         style = (
             f'<style>@font-face{{font-family:"Note Serif";src:url(data:font/woff2;base64,{face})}}</style>'
         )
-        text = svg(self.whole(name), turned).replace("<g ", f"{style}<g ", 1)
+        text = svg(self.whole(name)).replace("<g ", f"{style}<g ", 1)
         return Markup('url("data:image/svg+xml,' + quote(text, safe=" /:;=,@+()'!*-._~{}&") + '")')
 
-    def frame(self, wide: float, tall: float, turned: bool = False) -> Cell:
+    def frame(self, wide: float, tall: float) -> Cell:
         """The frame of a sheet with its line: left, top, width and height, mm."""
-        left, top, right, bottom = (EDGE, BINDING, EDGE, EDGE) if turned else (BINDING, EDGE, EDGE, EDGE)
         half = LINE / 2
-        return left - half, top - half, wide - left - right + LINE, tall - top - bottom + LINE
+        return BINDING - half, EDGE - half, wide - BINDING - EDGE + LINE, tall - 2 * EDGE + LINE
 
-    def size(self, form: Form, turned: bool) -> tuple[float, float]:
+    def size(self, form: Form) -> tuple[float, float]:
         """Width and height of the picture of a block: it has its lines whole."""
-        size = (WIDE + THICK.width, form.tall + THICK.width)
-        return size[::-1] if turned else size
+        return WIDE + THICK.width, form.tall + THICK.width
 
     @property
     def inside(self) -> float:
@@ -114,12 +112,6 @@ class Frames:
     def number(self, wide: float) -> Cell:
         """Where the number of a sheet stands, from its lower left corner."""
         return _on_sheet(NEXT.number, wide)
-
-    @property
-    def number_turned(self) -> Cell:
-        """That of an A4 that lies on its side, turned with it."""
-        left, bottom, width, height = self.number(A4[0])
-        return bottom, A4[0] - left - width, height, width
 
     @property
     def number_first(self) -> Cell:

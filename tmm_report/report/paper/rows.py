@@ -1,19 +1,21 @@
-"""Figures that wait for their place: side by side where the paper is wide enough, one above another on one sheet."""
+"""Figures that wait for their place: side by side where the text is wide enough, or one above another, sideways on a
+page or on a sheet of their own."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import field
-from typing import Generic, NamedTuple, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar
 
 from markupsafe import Markup
 
+from tmm_report.figures.charts.graphs import Graph
+from tmm_report.figures.drawing import Drawing
 from tmm_report.records import dataclass
-from tmm_report.report.paper.sheets import CAPTION, USUAL, Paper, Sheet
+from tmm_report.report.paper.sheets import CAPTION, HEAD, USUAL, Paper, Sheet
 
 NARROW = 40.0  # mm: a caption is not set narrower
 GAP = 4.0  # mm between figures side by side
-LINE = 10.0  # mm: a caption that stands beside another has more lines
 TALL = 200.0  # mm: a picture that leaves no room for such a caption
 
 T = TypeVar("T")
@@ -31,54 +33,99 @@ class Kept(NamedTuple, Generic[T]):
 
 
 class Row(NamedTuple, Generic[T]):
-    """Figures side by side, on a `sheet` or in the text."""
+    """Figures side by side in the text, or, `sideways`, one above another on a page."""
 
-    sheet: Sheet | None
     figures: tuple[Kept[T], ...]
+    sideways: bool = False
 
-    @property
-    def tall(self) -> float:
-        """With the caption, mm."""
-        return max(one.size[1] for one in self.figures) + CAPTION + (LINE if len(self.figures) > 1 else 0.0)
+    def and_one(self, kept: Kept[T], paper: Paper) -> Row[T] | None:
+        """With one more; None: there is no room for it."""
+        more = self._replace(figures=(*self.figures, kept))
+        if self.sideways:
+            fits = kept.size[0] <= paper.sideways[0] and _stacked(more.figures) <= paper.width
+        else:
+            short = max(one.size[1] for one in more.figures) <= TALL
+            fits = short and paper.fits(kept.size) and more.wide <= paper.width
+        return more if fits else None
 
     @property
     def wide(self) -> float:
         return sum(one.wide for one in self.figures) + GAP * (len(self.figures) - 1)
 
 
+class Drawings(NamedTuple, Generic[T]):
+    """Figures one above another on a sheet of their own."""
+
+    sheet: Sheet
+    figures: tuple[Kept[T], ...]
+
+    def and_below(self, kept: Kept[T]) -> Drawings[T] | None:
+        """With one more; None: the sheet does not hold it."""
+        more = Drawings(self.sheet, (*self.figures, kept))
+        wide, tall = self.sheet.field
+        return more if kept.size[0] <= wide and _stacked(more.figures) <= tall else None
+
+
+def _stacked(figures: Iterable[Kept[Any]]) -> float:
+    """How tall figures are one above another, mm."""
+    return sum(one.size[1] + CAPTION for one in figures)
+
+
 @dataclass
 class Waiting(Generic[T]):
-    """What a format keeps for the next heading. `gathers`: so all figures, not only those that must wait."""
+    """What a format keeps: `waiting`: for the next heading, so that they share the paper, all if it `gathers`, else
+    what stands sideways and what is behind it; `drawings`: for their appendix, what no page of the text holds."""
 
     paper: Paper = USUAL
     waiting: list[Kept[T]] = field(default_factory=list)
     gathers: bool = False
+    drawings: list[Kept[T]] = field(default_factory=list)
 
-    def block(self, rows: Sequence[Row[T]]) -> Markup:
-        """The markup of rows that stand together."""
+    def row(self, row: Row[T]) -> Markup:
+        """The markup of figures that stand together."""
+        raise NotImplementedError
+
+    def sheet(self, drawings: Drawings[T], head: Markup) -> Markup:
+        """The markup of a sheet of drawings; `head`: what is printed above them."""
         raise NotImplementedError
 
     def gather(self) -> Markup:
-        """From here on figures wait for the next heading, so that they share the paper."""
+        """From here on all figures wait for the next heading."""
         self.gathers = True
         return Markup("")
 
-    def laid(self) -> Markup:
-        """The figures that wait, side by side and on sheets."""
-        blocks, self.waiting = laid(self.waiting, self.paper), []
-        return Markup("".join(map(self.block, blocks)))
-
     def due(self) -> Markup:
-        """The same at a heading: those behind it do not wait."""
-        self.gathers = False
-        return self.laid()
+        """At a heading: the figures that wait; those behind it do not wait."""
+        rows, self.waiting, self.gathers = together(self.waiting, self.paper), [], False
+        return Markup("").join(map(self.row, rows))
 
-    def flowing(self) -> Markup:
-        """At a heading that the text goes on with."""
-        return self.due()
+    def kept(self, figure: T, picture: Drawing | Graph) -> bool:
+        """Whether a figure does not stand where it comes, but is kept."""
+        if self.paper.sheet_of(picture.size):
+            self.drawings.append(Kept(figure, self.room(picture)))
+        elif self.gathers or self.waiting or self.paper.turns(picture.size):
+            self.waiting.append(Kept(figure, picture.size))
+        else:
+            return False
+        return True
+
+    def room(self, picture: Drawing | Graph) -> tuple[float, float]:
+        """What a picture takes of its paper, mm: the first of the drawings with the heading above it."""
+        wide, tall = picture.size
+        first = not self.drawings and self.paper.sheet_of(picture.size)
+        return (wide, tall + HEAD) if first else (wide, tall)
+
+    def percent(self, picture: Drawing | Graph) -> int:
+        """To how many per cent the next picture is reduced, as no sheet holds it; 100: it is not."""
+        return self.paper.percent(self.room(picture))
+
+    def sheets(self, head: Markup) -> Markup:
+        """The drawings on their sheets, `head` on the first of them."""
+        found = on_sheets(self.drawings, self.paper)
+        return Markup("").join(self.sheet(one, Markup("") if k else head) for k, one in enumerate(found))
 
     def apart(self, write: Callable[[], Markup]) -> Markup:
-        """What stands elsewhere, in an appendix, with the sheets of its own figures."""
+        """What stands elsewhere, in an appendix, with the figures of its own that wait."""
         before, self.waiting, self.gathers = (self.waiting, self.gathers), [], False
         try:
             return write() + self.due()
@@ -86,39 +133,26 @@ class Waiting(Generic[T]):
             self.waiting, self.gathers = before
 
 
-def laid(waiting: Iterable[Kept[T]], paper: Paper) -> list[list[Row[T]]]:
-    """The figures in their order: rows, those of a list on one sheet; a row in the text has a list of its own."""
-    blocks: list[list[Row[T]]] = []
+def together(waiting: Iterable[Kept[T]], paper: Paper) -> list[Row[T]]:
+    """Figures that pages of the text hold, in their order, as many together as there is room for."""
+    rows: list[Row[T]] = []
     for kept in waiting:
-        last = blocks[-1][-1] if blocks else None
-        row = None if last is None else _beside(last, kept, paper)
-        if row is not None:
-            blocks[-1][-1] = row
+        more = rows[-1].and_one(kept, paper) if rows else None
+        if more:
+            rows[-1] = more
         else:
-            row = Row(paper.sheet_of(kept.size), (kept,))
-            if blocks and (joined := _on_one_sheet(blocks[-1], row)):
-                blocks[-1] = joined
-                continue
-            blocks.append([row])
-    return blocks
+            rows.append(Row((kept,), paper.turns(kept.size)))
+    return rows
 
 
-def _common(one: Sheet | None, other: Sheet | None) -> Sheet | None:
-    return one or other if None in (one, other) or one == other else None
-
-
-def _beside(row: Row[T], kept: Kept[T], paper: Paper) -> Row[T] | None:
-    """The row with a figure more, in the text; None: there is no room for it."""
-    tall = max(kept.size[1], *(one.size[1] for one in row.figures))
-    if row.sheet or paper.sheet_of(kept.size) or tall > TALL:
-        return None
-    wider = Row(None, (*row.figures, kept))
-    return wider if wider.wide <= paper.width else None
-
-
-def _on_one_sheet(rows: list[Row[T]], row: Row[T]) -> list[Row[T]] | None:
-    """The rows of a sheet with one more below; None: no sheet holds them."""
-    sheet = _common(rows[0].sheet, row.sheet)
-    if sheet is None or sum(one.tall for one in (*rows, row)) > sheet.field[1]:
-        return None
-    return [one._replace(sheet=sheet) for one in (*rows, row)]
+def on_sheets(drawings: Iterable[Kept[T]], paper: Paper) -> list[Drawings[T]]:
+    """Drawings in their order on the smallest sheets that hold them, on the last one while that has room."""
+    found: list[Drawings[T]] = []
+    for kept in drawings:
+        more = found[-1].and_below(kept) if found else None
+        sheet = paper.sheet_of(kept.size)
+        if more:
+            found[-1] = more
+        elif sheet:
+            found.append(Drawings(sheet, (kept,)))
+    return found

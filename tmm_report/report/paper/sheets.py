@@ -1,7 +1,8 @@
 """Sheets of paper: on which one a picture stands at its own size.
 
-A picture that the text of a page holds stands in the text. A larger one has a sheet of its own, turned with its
-caption: the smallest of A4 on its side, A3, three A4 in a row, A2 and A1, lying or standing, that holds it. The room
+A picture that the text of a page holds stands in the text. One that its page holds sideways has such a page in the
+text, which goes on before and behind it. A larger one has a sheet of its own in the appendix of the drawings: the
+smallest of A3, three A4 in a row, A2 and A1, lying or standing, that holds it. The room
 comes from the margins of the note's profile; the size of a picture never does.
 """
 
@@ -10,12 +11,12 @@ from __future__ import annotations
 from functools import cached_property
 from typing import NamedTuple
 
-from tmm_report.profiles import A4, Margins, Text, shipped
+from tmm_report.profiles import Margins, Text, shipped
 from tmm_report.records import dataclass
 
 CAPTION = 15.0  # mm: what a caption takes of a sheet
+HEAD = 22.0  # mm: what the heading of their appendix takes of the first of them
 BELOW = 29.0  # mm: what the caption of a picture in the text takes, and the text that leads to it
-SIDE = 18.0  # mm: margins at the sides of a page that is turned
 SIZES = (
     ("a3", 420.0, 297.0), ("a3tall", 297.0, 420.0), ("a4x3", 630.0, 297.0), ("a2", 594.0, 420.0),
     ("a2tall", 420.0, 594.0), ("a1", 841.0, 594.0), ("a1tall", 594.0, 841.0),
@@ -84,13 +85,15 @@ class Paper:
         """What a line of formulas holds beside its number, in sizes of its letters."""
         return (self.width - NUMBERED) / (self.text.size * POINT)
 
+    @property
+    def sideways(self) -> tuple[float, float]:
+        """The largest picture that stands sideways on a page, mm: width along the page, height across it."""
+        return self.height, self.width - CAPTION
+
     @cached_property
     def sheets(self) -> tuple[Sheet, ...]:
-        """From the smallest on. A page that is turned has its margin for the binding above."""
-        left, right = self.margins.left, self.margins.right
-        ends = (self.margins.bottom, self.margins.top) if self.frames else (SIDE, SIDE)
-        turned = Sheet("a4", A4[1], A4[0], (A4[1] - sum(ends), A4[0] - left - right), (ends[0], left))
-        return (turned, *(self._standing(*size) for size in SIZES))
+        """From the smallest on."""
+        return tuple(self._standing(*size) for size in SIZES)
 
     def _standing(self, name: str, wide: float, tall: float) -> Sheet:
         one = self.margins
@@ -101,10 +104,14 @@ class Paper:
         """Whether a picture of this width and height, mm, stands in the text of a page."""
         return _holds(self.page, size)
 
+    def turns(self, size: tuple[float, float]) -> bool:
+        """Whether it stands sideways on a page."""
+        return not self.fits(size) and _holds(self.sideways, size)
+
     def sheet_of(self, size: tuple[float, float]) -> Sheet | None:
-        """The sheet of a picture of this width and height, mm; None: it stands in the text. What no sheet holds is put
-        on the one that reduces it least."""
-        if self.fits(size):
+        """The sheet of a picture of this width and height, mm; None: it stands on a page of the text. What no
+        sheet holds is put on the one that reduces it least."""
+        if self.fits(size) or self.turns(size):
             return None
         held = next((sheet for sheet in self.sheets if sheet.holds(size)), None)
         return held or max(self.sheets[-2:], key=lambda sheet: _share(sheet, size))

@@ -1,5 +1,7 @@
 """Reactions as figures: each curve by its name, hodographs at the scales that are printed, sheets that fit a page."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from conftest import read, solved
@@ -15,7 +17,9 @@ from tmm_report.chapters.lever.kinetostatics.view.diagrams import (
 from tmm_report.chapters.lever.kinetostatics.view.hodographs import SHEET, hodographs, indicated, sheets
 from tmm_report.figures.drawing import Path
 from tmm_report.i18n import Translator
+from tmm_report.report.paper.sheets import USUAL
 
+TALL = USUAL.page[1]
 NAMES = ("compressor", "press", "shaper", "engine_four_stroke")
 
 
@@ -30,7 +34,7 @@ def test_every_pair_has_a_panel_with_its_curves_by_name(drawn):
     found, own, graphs = drawn
     panels = [
         (graph, number)
-        for graph in reaction_diagrams(found, own, graphs)
+        for graph in reaction_diagrams(found, own, graphs, TALL)
         for number in range(len(graph.panels))
     ]
     assert len(panels) == len(found.table.statics.reactions)
@@ -46,9 +50,20 @@ def test_every_pair_has_a_panel_with_its_curves_by_name(drawn):
         assert all(np.abs(rest).max() < 1e-6 * np.abs(force).max() + 1e-6 for rest in parts.values())
 
 
+def test_a_page_takes_as_many_panels_as_it_holds(drawn):
+    whole = [*reaction_diagrams(*drawn, TALL)]
+    assert all(graph.size[1] <= TALL for graph in whole)
+    for graph, behind in pairwise(whole):
+        assert graph.size[1] + behind.size[1] / len(behind.panels) > TALL - 15
+    low = [*reaction_diagrams(*drawn, 90.0)]
+    assert len(low) > len(whole) and sum(len(graph.panels) for graph in low) == sum(
+        len(g.panels) for g in whole
+    )
+
+
 def test_a_load_that_changes_has_a_curve_and_a_constant_has_none(drawn):
     found, own, graphs = drawn
-    count = sum(len(graph.panels) for graph in load_diagrams(found, own, graphs))
+    count = sum(len(graph.panels) for graph in load_diagrams(found, own, graphs, TALL))
     assert count == len(found.followed)
     laws = [type(load.law).__name__ for load in (*found.given.forces, *found.given.moments)]
     assert count == sum(law != "Constant" for law in laws)

@@ -48,7 +48,6 @@ OFF = {
     "wittenbauer": N_("Wittenbauer's method differs from it by %(off)s %%."),
     "rerikh": N_("Rerikh's method differs from it by %(off)s %%."),
 }
-ROW = 6.0  # mm: of a table
 SPEEDS = ("omega_0", "omega", "domega", "epsilon")  # columns of the motion
 ENERGIES = ("J_II", "T_II", "dT_I")  # those of the varying part
 WAYS = {"energy": N_("energy integral"), "integration": N_("integration of the equation of motion")}
@@ -157,12 +156,6 @@ class FlywheelView(ChapterView):
         return [
             *self.explained("W"), *self.columns_explained("table", side, "phi"), *self.explained("Phi")
         ]  # fmt: skip
-
-    @property
-    def diagram_waits(self) -> bool:
-        """Whether the diagrams are taller than the table, which then goes first: the smaller of both more often fits
-        what is left of a page."""
-        return self.diagram.size[1] > ROW * (len(self.table("table")) + 1)
 
     def cycle_explained(self, *keys: str) -> list[dict[str, Any]]:
         """What is said of those columns of the cycle that this machine has."""

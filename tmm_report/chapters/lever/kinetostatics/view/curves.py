@@ -38,7 +38,7 @@ class CurvesView:
         return []
 
     def reactions(self) -> list[Graph]:
-        return reaction_diagrams(self.found, self.at, self.graphs)
+        return reaction_diagrams(self.found, self.at, self.graphs, self.page.form.paper.page[1])
 
     @cached_property
     def hodographs(self) -> list[Hodograph]:

@@ -15,7 +15,6 @@ from tmm_report.figures.lettering import Parts
 from tmm_report.i18n import Translator
 from tmm_report.report.diagrams import CycleGraphs, points
 
-PANELS = 4  # on a sheet of diagrams
 NOTHING = 1e-9  # of the largest reaction: a projection of less is none
 
 
@@ -30,33 +29,31 @@ def balancing_diagram(found: Kinetostatics, at: Sampled, graphs: CycleGraphs) ->
     return graphs.graph([curve], [graphs.axis(q.BALANCING_MOMENT)])
 
 
-def load_diagrams(found: Kinetostatics, at: Sampled, graphs: CycleGraphs) -> list[Graph]:
-    """The loads that change over the cycle along their stated directions, `PANELS` of them on a sheet."""
+def load_diagrams(found: Kinetostatics, at: Sampled, graphs: CycleGraphs, tall: float) -> list[Graph]:
+    """The loads that change over the cycle along their stated directions, on pages of a height, mm."""
     named = [*q.forces(found.given.forces), *q.moments(found.given.moments)]
     over = found.over.loading.stated if found.over else [None] * len(named)
     panels = [
         ([at.of(over[k], found.diagram.loading.stated[k])], graphs.axis(named[k])) for k in found.followed
     ]
-    return sheets_of(panels, graphs)
+    return sheets_of(panels, graphs, tall)
 
 
-def sheets_of(panels: Sequence[tuple[Sequence[Array], Parts]], graphs: CycleGraphs) -> list[Graph]:
-    """Panels of curves with the names of their axes, `PANELS` of them on a sheet."""
-    sheets = [panels[start : start + PANELS] for start in range(0, len(panels), PANELS)]
-    return [
-        _sheet([([Curve(values) for values in own], label) for own, label in sheet], graphs)
-        for sheet in sheets
-    ]
+def sheets_of(
+    panels: Sequence[tuple[Sequence[Array], Parts]], graphs: CycleGraphs, tall: float
+) -> list[Graph]:
+    """Panels of curves with the names of their axes, on pages of a height, mm."""
+    return [*_sheets([([Curve(values) for values in own], label) for own, label in panels], graphs, tall)]
 
 
-def reaction_diagrams(found: Kinetostatics, at: Sampled, graphs: CycleGraphs) -> list[Graph]:
-    """Of every pair a panel with the magnitude of its reaction and its projections, `PANELS` of them on a sheet."""
+def reaction_diagrams(found: Kinetostatics, at: Sampled, graphs: CycleGraphs, tall: float) -> list[Graph]:
+    """Of every pair a panel with the magnitude of its reaction and its projections, on pages of a height, mm."""
     largest = max(float(np.nanmax(np.abs(one.force))) for one in found.diagram.statics.reactions.values())
     panels = [
         (list(_parts_of(found, at, graphs, key, NOTHING * largest)), _label(found, key, graphs))
         for key in found.diagram.statics.reactions
     ]
-    return [_sheet(panels[start : start + PANELS], graphs) for start in range(0, len(panels), PANELS)]
+    return [*_sheets(panels, graphs, tall)]
 
 
 def _label(found: Kinetostatics, key: str, graphs: CycleGraphs) -> Parts:
@@ -80,6 +77,19 @@ def _parts_of(
     for quantity, values in zip(of.components, (force.real, force.imag), strict=True):
         if np.nanmax(np.abs(values), initial=0.0) > least:
             yield Curve(values, graphs.letter(quantity.sign), extremes=())
+
+
+def _sheets(
+    panels: Sequence[tuple[Sequence[Curve], Parts]], graphs: CycleGraphs, tall: float
+) -> Iterator[Graph]:
+    """As many panels one above another as a page holds: what is left for the next one is small, and finds room."""
+    start = 0
+    while start < len(panels):
+        end, page = start + 1, _sheet(panels[start : start + 1], graphs)
+        while end < len(panels) and (more := _sheet(panels[start : end + 1], graphs)).size[1] <= tall:
+            end, page = end + 1, more
+        start = end
+        yield page
 
 
 def _sheet(panels: Sequence[tuple[Sequence[Curve], Parts]], graphs: CycleGraphs) -> Graph:

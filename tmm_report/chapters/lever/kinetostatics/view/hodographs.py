@@ -24,7 +24,7 @@ from tmm_report.report.diagrams import CycleGraphs
 
 Num = Callable[[float], str]
 FIELD = (60.0, 56.0)  # mm: between the axes of a hodograph
-SHEET = (160.0, 210.0)  # mm: of the hodographs that stand on one page
+SHEET = (160.0, 100.0)  # mm: of the hodographs of one figure, a row: small ones find room on more pages
 BETWEEN = 6.0  # mm: from one to the next
 INDICATED = (100.0, 70.0)  # mm: of an indicator diagram
 CLOSE = 4.0  # mm: nearer positions are not numbered both

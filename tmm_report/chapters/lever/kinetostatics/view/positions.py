@@ -94,7 +94,7 @@ class KinetostaticsView(BookView):
         at = page.once(sampled, found)
         self.graphs = graphs_of(found, at, page.tr)
         self.diagram = balancing_diagram(found, at, self.graphs)
-        self.followed = load_diagrams(found, at, self.graphs)
+        self.followed = load_diagrams(found, at, self.graphs, page.form.paper.page[1])
         self.ties = TiesView(found, position, page)
         self.tied = self.ties.diagrams(at, self.graphs)
         self.twists = TwistsView(found, position, page)

@@ -174,7 +174,7 @@ class TiesView(BookView):
 
     def diagrams(self, at: Sampled, graphs: CycleGraphs) -> Sequence[Graph]:
         """Forces of all of them over the cycle."""
-        return sheets_of(list(self._panels(at, graphs)), graphs)
+        return sheets_of(list(self._panels(at, graphs)), graphs, self.page.form.paper.page[1])
 
     def _panels(self, at: Sampled, graphs: CycleGraphs) -> Iterator[Any]:
         found = self.found
