@@ -184,7 +184,10 @@ class Numbering:
             (self._awaited[label], self.places[label]) for label in self._awaited.keys() - missing.keys()
         ]
         marks = {mark: known for place, found in pairs for mark, known in zip(place, found, strict=True)}
-        text = re.sub(rf"{self._secret}x\d+[na]", lambda mark: marks[mark[0]], text)
+        for _ in range(
+            2
+        ):  # the number of a drawing has the letter of its appendix in it, which comes later, too
+            text = re.sub(rf"{self._secret}x\d+[na]", lambda mark: marks[mark[0]], text)
         return re.sub(r"<p>\s*</p>\n?", "", text)
 
     def fresh(self, items: Iterable[Mapping[str, Any]]) -> list[Mapping[str, Any]]:

@@ -8,7 +8,7 @@ our own anchors alone, so that a student's text is text. Source: ECMA-376, part 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import field
 from typing import NamedTuple
 
@@ -23,11 +23,11 @@ from tmm_report.quantity.notations.omml import notation
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import xml_escape
 from tmm_report.records import dataclass
-from tmm_report.report.formats import Flowing, Mathematics, drawing_of
+from tmm_report.report.formats import Mathematics, drawing_of
 from tmm_report.report.numbering import Place
 from tmm_report.report.paper.measure import breakable
 from tmm_report.report.paper.office_math import broken, in_line, wide
-from tmm_report.report.paper.rows import GAP, Row
+from tmm_report.report.paper.rows import GAP, Drawings, Row, Waiting
 from tmm_report.report.paper.sheets import POINT
 
 BREAK = "\N{ZERO WIDTH SPACE}"
@@ -55,7 +55,7 @@ class Field(NamedTuple):
 
 
 @dataclass
-class Docx(Flowing):
+class Docx(Waiting[Markup]):
     """`files`: pictures, by their places in the file; `counts`: of headings, as a word processor counts them."""
 
     name = "docx"
@@ -91,11 +91,11 @@ class Docx(Flowing):
     def number(self, kind: str, place: Place) -> list[Field]:
         """A number of a figure, table or formula: counted through the note, or in the section whose number it has."""
         before, _, last = place.number.rpartition(".")
-        own = re.search("-(appendix[0-9]+)", place.anchor)
+        own = re.search("-(appendix[0-9]+|drawings)", place.anchor)
         if not before:
             return [Field(f"SEQ {kind} \\* ARABIC", last)]
         if own:
-            return [Field("", f"{before}."), Field(f"SEQ {kind}_{own[1]} \\* ARABIC", last)]
+            return [Field("", before + "."), Field(f"SEQ {kind}_{own[1]} \\* ARABIC", last)]
         if self.counts[:1] != [int(before)]:
             return [Field("", place.number)]
         # LibreOffice knows no counting by headings: the first of a section says so
@@ -110,7 +110,7 @@ class Docx(Flowing):
 
     def image(self, picture: Drawing | Graph, name: str, caption: object = "") -> Image:
         """A picture of its own size, or of that to which its sheet reduces it, for the macros to put into the text."""
-        share = self.paper.percent(picture.size) / 100
+        share = self.percent(picture) / 100
         drawing = drawing_of(picture)
         said = drawing.title or " ".join(Markup(caption).striptags().split())
         wide, tall = (round(EMU * share * side) for side in drawing.size)
@@ -124,19 +124,18 @@ class Docx(Flowing):
         marks = [line(x - 1j * half, x + 1j * half, NORMAL) for x, half in ((0, 2), (50, 1), (100, 2))]
         return self.image(Drawing((line(0j, 100 + 0j, NORMAL), *marks), "100 mm"), "bar")
 
-    def block(self, rows: Sequence[Row[Markup]]) -> Markup:
-        figures = Markup("").join(map(self._row, rows))
-        sheet = rows[0].sheet
-        if sheet is None:
-            return figures
-        margins = " ".join(map(str, map(twips, sheet.margins)))
-        size = f'wide="{twips(sheet.wide)}" tall="{twips(sheet.tall)}" margins="{margins}"'
-        return Markup(f'<n:end kind="text"/>{figures}<n:end kind="sheet" {size}/>')
+    def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
+        """A figure with its caption where it comes, if it stands there."""
+        return Markup("") if self.kept(figure, picture) else figure
 
-    def _row(self, row: Row[Markup]) -> Markup:
+    def row(self, row: Row[Markup]) -> Markup:
+        if row.sideways:  # a word processor turns no picture with its caption: it lays the page on its side
+            one = self.paper.margins
+            margins = (one.left, one.top, one.right, one.bottom)  # its binding is above
+            return _of_own(Markup("").join(kept.figure for kept in row.figures), A4[::-1], margins)
         if len(row.figures) == 1:
             return row.figures[0].figure
-        room = (row.sheet.field[0] if row.sheet else self.paper.width) - row.wide
+        room = self.paper.width - row.wide
         widths = [
             twips(one.wide + GAP * (k > 0) + room / len(row.figures)) for k, one in enumerate(row.figures)
         ]
@@ -144,6 +143,10 @@ class Docx(Flowing):
         return Markup(
             f'<n:grid widths="{" ".join(map(str, widths))}" align="bottom"><n:row>{cells}</n:row></n:grid>'
         )
+
+    def sheet(self, drawings: Drawings[Markup], head: Markup) -> Markup:
+        sheet, figures = drawings.sheet, Markup("").join(one.figure for one in drawings.figures)
+        return _of_own(head + figures, (sheet.wide, sheet.tall), sheet.margins)
 
     # ------------------------------------------------------------ sizes
 
@@ -184,6 +187,13 @@ class Docx(Flowing):
     @property
     def a4(self) -> tuple[int, int]:
         return twips(A4[0]), twips(A4[1])
+
+
+def _of_own(figures: Markup, size: tuple[float, float], margins: Iterable[float]) -> Markup:
+    """Figures on a page of their own; its width and height, and its margins above, right, below and left, mm."""
+    around = " ".join(map(str, map(twips, margins)))
+    sizes = f'wide="{twips(size[0])}" tall="{twips(size[1])}" margins="{around}"'
+    return Markup(f'<n:end kind="text"/>{figures}<n:end kind="sheet" {sizes}/>')
 
 
 def twips(length: float) -> int:
