@@ -59,7 +59,7 @@ def solve(variant: Variant) -> Solved:
     H_B = 0.2 m
     >>> results["v_B"].unit, results["v_B"].shape, float(results["H_B"].to("mm").round(3))
     ('m/s', (13,), 200.0)
-    >>> results.figure("scheme").number
+    >>> results.figure("travel:B").number
     '4'
 
     A chapter that the variant does not ask for is None. Raises `problems.ProblemError` with what cannot be solved

@@ -185,7 +185,7 @@ def note(*sizes: tuple[float, float]) -> dict[str, bytes]:
     }
     m = template("macros.tex.j2").make_module(given)
     body = [m.p("Text.") + m.figure(across(*size), f"of {size[0]} mm") for size in sizes]
-    drawings = page.drawings()
+    drawings = page.numbering.close(page.tr.letters)
     body.append(
         page.form.due()
         + page.form.sheets(m.appendix(drawings.head, on_sheet=True) if drawings else Markup(""))

@@ -130,8 +130,8 @@ def _written(
     body += [chapter("conclusions", lines=[*left_out, *concluded])]
     if page.cited.names:
         body.append(chapter("references", names=page.cited.order("".join(body))))
-    drawings = page.drawings()
-    if page.appendices:
+    drawings = page.numbering.close(page.tr.letters)
+    if page.numbering.appendices:
         body.append(chapter("appendices", drawings=drawings))
     # what stands in front tells of what the note has
     page.numbering.begin_front()

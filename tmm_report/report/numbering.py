@@ -14,6 +14,8 @@ from markupsafe import Markup
 from tmm_report.profiles import Numbers, shipped
 from tmm_report.records import dataclass
 
+DRAWINGS = "appendix:drawings"  # the label of their appendix
+
 
 class Place(NamedTuple):
     """Where a numbered thing stands: its number as printed ("2.1") and its anchor, safe in every format."""
@@ -63,6 +65,7 @@ class Numbering:
 
     places: dict[str, Place] = field(default_factory=dict)
     sections: list[Section] = field(default_factory=list)
+    appendices: list[Appendix] = field(default_factory=list)
     scheme: Numbers = field(default_factory=lambda: shipped().numbers)
     _awaited: dict[str, Place] = field(default_factory=dict)
     _secret: str = field(default_factory=lambda: f"later{token_hex(16)}")
@@ -70,6 +73,7 @@ class Numbering:
     _explained: set[Hashable] = field(default_factory=set)
     _front: int | None = None  # where the next section of what stands in front is put
     _appendix: Appendix | None = None  # that is being written
+    _drawings: Appendix | None = None
     _raised: int | None = None  # by how many levels, as a piece cut out of a section begins there as one
     _explained_there: set[Hashable] = field(default_factory=set)
 
@@ -139,13 +143,31 @@ class Numbering:
             number = f"{chapter}.{self._next((kind, chapter))}"
         return self._keep(label, Place(number, self._anchor(kind, number)))
 
-    def take_in(self, appendix: Appendix, kind: str, label: str = "") -> Place:
-        """The same in an appendix, wherever it is come to."""
-        before, self._appendix = self._appendix, appendix
+    def appendix(self, letters: str) -> Appendix:
+        """That of the chapter that is being written, which may be new; called by the next of the letters."""
+        title, number = self.chapters[-1].title, len(self.appendices)
+        known = next((one for one in self.appendices if one.head.title == title), None)
+        if known is None:
+            known = Appendix.of(letters[number], f"appendix{number + 1}", title)
+            self.appendices.append(known)
+        return known
+
+    def drawing(self, label: str, title: str) -> Place:
+        """The number of a figure among the drawings; `title`: of their appendix, the last, whose letter comes later."""
+        if self._drawings is None:
+            self._drawings = Appendix.of(self.place(DRAWINGS).number, "drawings", title)
+        before, self._appendix = self._appendix, self._drawings
         try:
-            return self.take(kind, label)
+            return self.take("figure", label)
         finally:
             self._appendix = before
+
+    def close(self, letters: str) -> Appendix | None:
+        """No other appendix comes: behind them that of the drawings, if there are any."""
+        if self._drawings is not None:
+            self.places[DRAWINGS] = Place(letters[len(self.appendices)], self._drawings.head.place.anchor)
+            self.appendices.append(self._drawings)
+        return self._drawings
 
     def _anchor(self, kind: str, number: str) -> str:
         if self._appendix is None:

@@ -33,7 +33,7 @@ from tmm_report.quantity.text import number as written
 from tmm_report.quantity.written import Equation, explained
 from tmm_report.report import diagrams
 from tmm_report.report.bytecode import bytecode_cache
-from tmm_report.report.numbering import Appendix, Numbering, Place, Section
+from tmm_report.report.numbering import Numbering, Place, Section
 from tmm_report.report.paper import layout
 from tmm_report.report.paper.layout import Cell, Words, runs
 from tmm_report.report.paper.sheets import Paper
@@ -76,7 +76,6 @@ class _Environment(Environment):
 
 
 BEHIND = "\N{NULL}"  # begins what belongs to the sentence before; in no text
-DRAWINGS = "appendix:drawings"  # the label of their appendix
 ROUNDING = 1e-6  # what is smaller beside 1 is no result of the note: a second way to a number leaves so much
 TRIMMED = True  # blocks take their line's blanks and end with them
 
@@ -141,8 +140,6 @@ class Page:
         self.profile = profile or shipped(usual(tr.language))
         self.form.paper = Paper(self.profile.margins, self.profile.text, self.profile.frames)
         self.numbering.scheme = self.profile.numbers
-        self.appendices: list[Appendix] = []
-        self._drawings: Appendix | None = None
         self.symbols = SymbolList()
         self.cited = Cited(tr.cited)
         self._made: dict[tuple[Any, ...], Any] = {}
@@ -159,39 +156,20 @@ class Page:
         where = self.note.stand(piece) if piece else "body"
         if where != "appendix":
             return Markup("") if where == "omit" else write()
-        title = self.numbering.chapters[-1].title
-        known = (one for one in self.appendices if one.head.title == title)
-        appendix = next(known, None) or self._appendix(title)
+        appendix = self.numbering.appendix(self.tr.letters)
         with self.numbering.within(appendix):
             text = self.form.apart(write)
         if text.strip():
             appendix.pieces.append(text)
         elif not appendix.pieces:  # this variant has nothing of it
-            self.appendices.remove(appendix)
+            self.numbering.appendices.remove(appendix)
         return Markup("")
-
-    def _appendix(self, title: str) -> Appendix:
-        """One more, in the order in which the text comes to them."""
-        number = len(self.appendices)
-        self.appendices.append(Appendix.of(self.tr.letters[number], f"appendix{number + 1}", title))
-        return self.appendices[-1]
 
     def figure(self, picture: Drawing | Graph, label: str) -> Place:
         """The number of a figure: among those of the text, or of the drawings that have sheets of their own."""
         if self.form.paper.sheet_of(picture.size) is None:
             return self.numbering.take("figure", label)
-        if self._drawings is None:
-            letter = self.numbering.place(DRAWINGS).number  # that of the last: known when all are
-            self._drawings = Appendix.of(letter, "drawings", self.t(N_("Drawings")))
-        return self.numbering.take_in(self._drawings, "figure", label)
-
-    def drawings(self) -> Appendix | None:
-        """Behind all other appendices that of the drawings, if there are any."""
-        if self._drawings is not None:
-            letter, anchor = self.tr.letters[len(self.appendices)], self._drawings.head.place.anchor
-            self.numbering.places[DRAWINGS] = Place(letter, anchor)
-            self.appendices.append(self._drawings)
-        return self._drawings
+        return self.numbering.drawing(label, self.t(N_("Drawings")))
 
     def text(self, value: Any) -> Markup:
         """Anything for output: Markup as it is, other text escaped for the format."""
