@@ -55,6 +55,11 @@ class Translator(NamedTuple):
         return language(self.language).babel_provided
 
     @property
+    def proofed(self) -> str:
+        """The language and country by which a text processor checks the words."""
+        return language(self.language).proofed
+
+    @property
     def letters(self) -> str:
         """Of appendices."""
         return language(self.language).letters

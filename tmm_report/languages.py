@@ -27,8 +27,9 @@ class Language:
     `messages`: the command line speaks it, too; else it speaks the user's language or FALLBACK. `provided`: babel has
     it as a locale file alone, and the words of the note are not hyphenated. `alphabet`: its small letters in their
     order, where they are not Latin; `plurals`: gettext's rule, where Babel's is not meant. `profile`: how its
-    notes look, unless a variant says. `letters`: of appendices, in their order (GOST 7.32: without those that are taken
-    for digits or for others); `cited`: between sources that are cited together (GOST R 7.0.5: a semicolon).
+    notes look, unless a variant says. `proofed`: language and country by which Word checks the words. `letters`: of
+    appendices, in their order (GOST 7.32: without those that are taken for digits or for others); `cited`: between
+    sources that are cited together (GOST R 7.0.5: a semicolon).
     """
 
     code: str
@@ -42,6 +43,7 @@ class Language:
     profile: str = "gost"
     alphabet: str = ""
     plurals: str = ""
+    proofed: str = "en-GB"
     letters: str = "ABCDEFGHJKLMNPQRSTUVWXYZ"
     cited: str = ",\N{NO-BREAK SPACE}"
 
@@ -62,6 +64,7 @@ LANGUAGES = {
             "русский",
             "comma",
             babel="russian",
+            proofed="ru-RU",
             letters="АБВГДЕЖИКЛМНПРСТУФХЦШЩЭЮЯ",
             cited=";\N{NO-BREAK SPACE}",
             alphabet="абвгдеёжзийклмнопрстуфхцчшщъыьэюя",

@@ -28,12 +28,6 @@ PARTS = (
     ("word/header.xml", "header"), ("word/footer.xml", "footer"), ("word/titleheader.xml", "titleheader"),
     ("word/titlefooter.xml", "titlefooter"), ("word/_rels/document.xml.rels", "document.rels"),
 )  # fmt: skip
-PROOFED = {
-    "ru": "ru-RU",
-    "en": "en-GB",
-    "uk": "uk-UA",
-    "kk": "kk-KZ",
-}  # the language in which words are checked
 
 
 def packed(text: str, form: Docx, given: Mapping[str, Any], stated: date) -> bytes:
@@ -41,13 +35,12 @@ def packed(text: str, form: Docx, given: Mapping[str, Any], stated: date) -> byt
     page = given["page"]
     setup = Setup(page.profile)
     document = finished(text, setup)
-    language = page.tr.language
     more = {
         **given,
         "form": form,
         "p": page.profile,
         "date": stated,
-        "proofed": PROOFED.get(language, language),
+        "proofed": page.tr.proofed,
         "foot": Markup("".join(tostring(one, encoding="unicode") for one in setup.foot)),
     }
     parts = {name: template(f"word/{source}.xml.j2").render(more).strip().encode() for name, source in PARTS}
