@@ -76,7 +76,7 @@ def all_of(file: Path) -> None:
 @pytest.mark.parametrize("name", many([*QUICK, *sorted({*NAMES} - {*QUICK})], len(QUICK)))
 def test_what_a_note_says_stands_in_note(name, asked):
     all_of(VARIANTS / f"{name}.yaml")
-    assert len(asked) > 100 and strangers(asked) == []
+    assert len(asked) > 50 and strangers(asked) == []  # the shortest note asks for some hundred
 
 
 @pytest.mark.parametrize("name", many(STATEMENTS, 3))

@@ -54,8 +54,6 @@ FAULTS = (
     Fault("names of values reworded", "tmm_report/wording/terms.py",
           "pieces[::2] = [pattern.sub(swap, piece) for piece in pieces[::2]]",
           "pieces[:] = [pattern.sub(swap, piece) for piece in pieces]", tests=OWN_WORDS),
-    Fault("own words in a note of another language", "tmm_report/commands/files.py",
-          "return Translator(language)\n", "return Translator(language, None, variant.words)\n", tests=OWN_WORDS),
     Fault("a Cyrillic i of LaTeX copied as a Latin one", "templates/report.tex.j2",
           "\\DeclareUnicodeCharacter{0456}{\\NoteSmallI}\n", "", tests=LETTERS),
     Fault("own letters of Kazakh drawn as those like them", "tmm_report/figures/sheets/strokes.py",
