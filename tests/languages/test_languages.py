@@ -202,7 +202,7 @@ def test_a_row_and_files_make_a_language(tmp_path):
     (templates / "new" / "qaa.yaml").write_text(started, encoding="utf-8")
     for profile in (templates / "profiles").iterdir():
         text = profile.read_text("utf-8")
-        words = text[text.index("  ru:\n") : text.index("  en:\n")].replace("  ru:", "  qaa:")
+        words = re.search(r"^  ru:\n(?:    .*\n)+", text, re.M)[0].replace("  ru:", "  qaa:")
         profile.write_text(f"{text.rstrip()}\n{words}", encoding="utf-8")
 
     def run(*arguments: str) -> subprocess.CompletedProcess:

@@ -174,10 +174,8 @@ def test_a_cam_keeps_touching_its_follower():
 
 def test_print_has_nothing_of_what_moves():
     with opened(page("hoist_drive")) as talk:
-        run(
-            talk,
-            "document.getElementById('figure2').scrollIntoView(); new Promise(done => setTimeout(done, 300))",
-        )
+        shown = f"document.getElementById('{next(iter(moves('hoist_drive')))}').scrollIntoView()"
+        run(talk, f"{shown}; new Promise(done => setTimeout(done, 300))")
         run(talk, "show(5)")
         talk.ask("Emulation.setEmulatedMedia", media="print")
         found = run(

@@ -142,13 +142,21 @@ def bars(name: str) -> list[Measured]:
     return found
 
 
+def sideways(name: str) -> set[str]:
+    """Figures that stand on their side on a page: turned by a quarter against the clock."""
+    pages = note(name, "html")["note.html"].decode().split('<div class="sideways">')[1:]
+    figures = (page.partition("</div></div>")[0] for page in pages)
+    return {anchor for page in figures for anchor in re.findall(r'<figure id="([^"]+)"', page)}
+
+
 def unprinted(pdf: bytes, name: str) -> list[str]:
     drawn = np.array(arrows(pdf))
     lines = np.array([stroke[1] - stroke[0] for stroke in strokes(pdf) if len(stroke) == 2])
-    missing = [one for one in expected(name) if abs(drawn - one[2]).min() > MEASURED]
-    missing += [
-        one for one in bars(name) if min(abs(lines - one[2]).min(), abs(lines + one[2]).min()) > MEASURED
-    ]
+    ways = dict.fromkeys(sideways(name), 1j)
+    wanted = [(anchor, key, ways.get(anchor, 1) * along, size) for anchor, key, along, size in expected(name)]
+    levels = [(anchor, key, ways.get(anchor, 1) * along, size) for anchor, key, along, size in bars(name)]
+    missing = [one for one in wanted if abs(drawn - one[2]).min() > MEASURED]
+    missing += [one for one in levels if min(abs(lines - one[2]).min(), abs(lines + one[2]).min()) > MEASURED]
     return [f"{anchor}: {key}, {number:.2f} mm, is not on the paper" for anchor, key, _, number in missing]
 
 

@@ -61,7 +61,7 @@ OVER_TIME = (("s", "s"), ("v", "v"), ("a", "a"))
 def wrong_sliding(name: str, caption: str, drawn: list[Curve]) -> Iterator[str]:
     """Curves over the place and over the time, each on the axis of its letter."""
     of = table_of(results(name, "en"), "travel_motion_diagram")
-    along, shown = ("t", OVER_TIME) if caption.endswith("over the time") else ("s", OVER_PLACE)
+    along, shown = ("t", OVER_TIME) if caption.endswith("against time") else ("s", OVER_PLACE)
     wanted = [(letter, key) for letter, key in shown if key in of]
     if [curve.axis.letter for curve in drawn] != [letter for letter, _ in wanted]:
         yield f"{caption}: the axes are {[curve.axis.letter for curve in drawn]}"

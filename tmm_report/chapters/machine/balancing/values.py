@@ -89,7 +89,7 @@ class Cases(Sheet):
     case = Q(None, "", N_("number of the way of balancing, 0: as it is"))
     F_max = Q("F_max", "N", N_("greatest shaking force"))
     F_max_at = Q("phi", "deg", N_("angle of rotation at which it is reached"))
-    left = Q("delta", "", N_("ratio of the greatest shaking force to that of the mechanism as it is"), "%")
+    left = Q("delta_F", "", N_("ratio of the greatest shaking force to that of the mechanism as it is"), "%")
     F_rms = Q(Symbol("F", RMS), "N", N_("root mean square of the shaking force"))
     M_max = Q("M_max", "N·m", N_("greatest shaking moment"))
     M_left = Q(

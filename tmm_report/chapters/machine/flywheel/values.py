@@ -138,7 +138,7 @@ class Methods(Sheet):
     J_I = Q("J_I", "kg·m²", N_("constant moment of inertia that is needed"))
     J_fl = Values.J_fl
     deviation = Q("DeltaJ", "%", N_("difference from the exact moment of inertia of the flywheel"))
-    phi_1 = Q("phi_1", "deg", N_("angle at which the speed is taken to be greatest"))
+    phi_1 = Q(Symbol("phi", "", "(1)"), "deg", N_("angle at which the speed is taken to be greatest"))
     J_1 = Q("J_II,1", "kg·m²", N_("varying part of the moment of inertia where the speed is greatest"))
     A_1 = Q(Symbol("A", "", "(1)"), "J", N_("work of the excess moment where the speed is greatest"))
     s_1 = Q("s_1", "(rad/s)²", N_("slope of the tangent at the greatest speed"))
@@ -147,7 +147,7 @@ class Methods(Sheet):
         "J",
         N_("work where the speed is greatest, less the energy of the varying part at this speed"),
     )
-    phi_2 = Q("phi_2", "deg", N_("angle at which the speed is taken to be least"))
+    phi_2 = Q(Symbol("phi", "", "(2)"), "deg", N_("angle at which the speed is taken to be least"))
     J_2 = Q("J_II,2", "kg·m²", N_("varying part of the moment of inertia where the speed is least"))
     A_2 = Q(Symbol("A", "", "(2)"), "J", N_("work of the excess moment where the speed is least"))
     s_2 = Q("s_2", "(rad/s)²", N_("slope of the tangent at the least speed"))
