@@ -107,11 +107,12 @@ def _said(column: Column, tr: Translator) -> dict[str, Any]:
 
 def _of_quantity(quantity: Quantity, tr: Translator) -> dict[str, Any]:
     """What is said of a quantity, kept with it: many columns are of one."""
-    if tr.language not in quantity.said:
+    words = tr.language, tr.words
+    if words not in quantity.said:
         meaning = quantity.meaning.render(tr.gettext)
         said = {"key": quantity.key, **_symbol(quantity), "unit": quantity.unit, "meaning": meaning}
-        quantity.said[tr.language] = said
-    return quantity.said[tr.language]
+        quantity.said[words] = said
+    return quantity.said[words]
 
 
 def _symbol(quantity: Quantity) -> dict[str, str]:

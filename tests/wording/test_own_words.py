@@ -105,6 +105,8 @@ def test_a_note_has_the_own_words_alone(fmt):
 
 
 def test_numbers_call_things_so_too():
+    """Whatever was said before by the same program: a batch has variants of several departments."""
+    assert "ползун" in render(solve(loads(stated(""))), "json")["results.json"].decode()
     found = render(solve(loads(stated(STATED))), "json")["results.json"].decode()
     assert "бегун" in found and "ползун" not in found
 

@@ -11,7 +11,7 @@ symbol, unit and meaning from there; a printed number keeps a `Ref`, by which it
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from dataclasses import field, replace
 from functools import cached_property, lru_cache
 from typing import Any, ParamSpec, TypeVar, cast
@@ -87,8 +87,8 @@ class Quantity:
         return Quantity(f"{self.key}_{axis}", symbol, self.unit, meaning, self.shown)
 
     @cached_property
-    def said(self) -> dict[str, dict[str, str]]:
-        """What results.json says of it, by the language: kept by who writes."""
+    def said(self) -> dict[Hashable, dict[str, str]]:
+        """What results.json says of it, by the language and the own words: kept by who writes."""
         return {}
 
 
