@@ -43,6 +43,8 @@ FAULTS = (
           'here.replace("\\\\", r"\\\\")', "here", tests=PROFILES),
     Fault("an assignment sheet without its dates", "templates/chapters/assignment.j2",
           "{% if assignment.due %}", "{% if assignment.issued %}", tests=FRONT),
+    Fault("numbers in the own words of the variant before", "tmm_report/results.py", "words = tr.language, tr.words",
+          "words = tr.language", tests=OWN_WORDS),
     Fault("own words of a department left out of what is counted", "tmm_report/i18n.py",
           "ngettext(one, many, count)\n        return self.words(found) if self.words is not None else found",
           "ngettext(one, many, count)\n        return found", tests=OWN_WORDS),
