@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from conftest import read
 from notes import program, static
+from pdf_words import pages
 from typesetting import set_by_tex
 
 from benchmarks.pages import chapters, fills, read_words
@@ -75,6 +76,7 @@ def test_no_page_within_a_chapter_is_less_than_two_thirds_full(name, depth, of):
     fill = [fill for chapter in found for fill in chapter.fill]
     assert len(fill) > 10 and np.mean(fill) > 0.9
     assert all(fill >= (APART if one.appendix else FULL) for one in found for fill in one.fill)
+    assert not lying_over(pdf)
 
 
 @pytest.mark.exhaustive
@@ -84,6 +86,31 @@ def test_a_page_half_empty_is_seen():
     head, mark, rest = html.partition(b'<h2 id="section4.2">')
     broken = head + b'<div style="break-before: page"></div>' + mark + rest
     assert min(fill for one in chapters_of(html, printed(broken)) for fill in one.fill) < FULL
+
+
+def lying_over(pdf):
+    """Words of the text that stand in one place with others: number of the page and both."""
+    found = []
+    for number, page in enumerate(pages(pdf), 1):
+        words = [one for one in page.words if len(one.text) > 3 and one.text.isalpha()]
+        boxes = np.array([one[:4] for one in words]).reshape(-1, 4).T
+        left, above, right, below = (
+            np.subtract.outer(side, other) for side, other in zip(boxes, boxes[[2, 3, 0, 1]], strict=True)
+        )
+        wide, tall = np.minimum(-left, right), np.minimum(-above, below)  # of what two have in common
+        least = 0.2 * np.minimum.outer(boxes[3] - boxes[1], boxes[3] - boxes[1])
+        for i, k in np.argwhere((wide > 0.7) & (tall > least)):
+            if i < k:
+                found.append((number, words[i].text, words[k].text))
+    return found
+
+
+@pytest.mark.exhaustive
+def test_words_that_lie_over_others_are_seen():
+    program("chromium"), program("pdftotext")
+    html = render(solve(read("punch_press")), "html", depth="short")["note.html"]
+    pushed = html.replace(b"</style>", b"h2 + p { margin-top: -2em !important; }</style>", 1)
+    assert not lying_over(printed(html)) and lying_over(printed(pushed))
 
 
 def chapters_of(html, pdf):

@@ -43,6 +43,8 @@ FAULTS = (
           'here.replace("\\\\", r"\\\\")', "here", tests=PROFILES),
     Fault("an assignment sheet without its dates", "templates/chapters/assignment.j2",
           "{% if assignment.due %}", "{% if assignment.issued %}", tests=FRONT),
+    Fault("letters in two columns torn over a page", "templates/profile.css.j2", "text-indent: 0; break-inside: avoid; }",
+          "text-indent: 0; }", tests=("tests/report/test_pages.py",)),
     Fault("numbers in the own words of the variant before", "tmm_report/results.py", "words = tr.language, tr.words",
           "words = tr.language", tests=OWN_WORDS),
     Fault("own words of a department left out of what is counted", "tmm_report/i18n.py",
