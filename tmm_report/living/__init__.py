@@ -10,7 +10,7 @@ import base64
 import json
 import re
 import zlib
-from collections.abc import Container, Mapping
+from collections.abc import Callable, Container, Mapping
 from functools import cache
 from html import unescape
 from typing import Any
@@ -63,7 +63,7 @@ def known(results: Results, page: Page, pictures: Pictures, shown: Container[str
     found: dict[str, Any] = {
         "words": words(page.tr),
         "decimal": page.tr.decimal,
-        "told": packed(told(results, page, shown)),
+        "told": packed(told(results, page, shown), page.numbering.known),
     }
     lever, moves = results.lever, moved(pictures, results)
     if lever is None or (cycle := cycle_of(results)) is None:
@@ -76,7 +76,7 @@ def known(results: Results, page: Page, pictures: Pictures, shown: Container[str
     mechanism = moving(lever, cycle, view)
     drawn = {key for key in cycle.vectors if key[:2] in ("v_", "a_") and key[2:] in mechanism["points"]}
     drawn |= {key for key, *_ in mechanism["forces"] if key in cycle.vectors}
-    vectors, turning, schemes = {key: cycle.vectors[key] for key in drawn}, {}, {}
+    vectors, turning, schemes = {key: cycle.vectors[key] for key in sorted(drawn)}, {}, {}
     if (forces := lever.kinetostatics) is not None:
         loads = Loads(cycle, view, forces, {key: at for key, at, _ in mechanism["forces"]}, page.tr)
         schemes = loads.schemes(pictures)
@@ -91,11 +91,12 @@ def known(results: Results, page: Page, pictures: Pictures, shown: Container[str
     }
 
 
-def packed(data: Any) -> str:
-    """What is asked for by a click alone: raw deflate (RFC 1951) in base64, a quarter of the text."""
+def packed(data: Any, known: Callable[[str], str]) -> str:
+    """What is asked for by a click alone: raw deflate (RFC 1951) in base64, a quarter of the text. `known`: puts the
+    numbers in that came later than they were referred to."""
     squeeze = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS)
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-    return base64.b64encode(squeeze.compress(text.encode()) + squeeze.flush()).decode()
+    return base64.b64encode(squeeze.compress(known(text).encode()) + squeeze.flush()).decode()
 
 
 def as_json(data: Any) -> str:

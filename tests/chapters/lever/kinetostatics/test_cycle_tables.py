@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from conftest import solved
-from notes import render, rendered
+from notes import note, render
 
 from tmm_report import course, loading
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as q
@@ -81,7 +81,7 @@ def test_each_column_of_the_works_has_its_sign(name):
 
 
 def note_of(name: str) -> str:
-    return re.sub(r"\s+", " ", unescape(rendered(name, "html", "en")["note.html"].decode()))
+    return re.sub(r"\s+", " ", unescape(note(name, "html", "en")["note.html"].decode()))
 
 
 def plain(html: str) -> str:

@@ -61,6 +61,8 @@ def _peaks(y: Array) -> tuple[Array, Array]:
     values = np.pad(y, ((0, 0), (1, 1)), constant_values=-inf)
     peak = (y >= values[:, :-2]) & (y >= values[:, 2:]) & np.isfinite(y)
     peak[:, 0] |= ~peak.any(axis=1)
-    highest = np.argsort(np.where(peak, y, -inf), axis=1, kind="stable")[:, -PEAKS:]
+    least = np.finfo(float).min  # the first of a row of nothing stays before what is no peak
+    score = np.where(peak, np.where(np.isfinite(y), y, least), -inf)
+    highest = np.argsort(score, axis=1, kind="stable")[:, -PEAKS:]
     row, column = np.nonzero(np.take_along_axis(peak, highest, axis=1))
     return row, highest[row, column]
