@@ -7,6 +7,7 @@ The templates are rendered once: what they refer to before it comes is marked, a
 
 from __future__ import annotations
 
+import re
 from base64 import b64encode
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import date
@@ -203,4 +204,5 @@ def _own_files(given: Mapping[str, Any], page: Page) -> dict[str, Any]:
         }
         for family, style, file in FACES
     ]
-    return {"style": Markup((root / "style.css").read_text("utf-8")), "faces": faces}
+    style = re.sub(r"/\*.*?\*/|\s*([{};])\s*", r"\1", (root / "style.css").read_text("utf-8"), flags=re.S)
+    return {"style": Markup(style), "faces": faces}

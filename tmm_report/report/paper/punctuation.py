@@ -19,9 +19,9 @@ _HTML = (
     (r'(</table>\s*</div>\s*</div>\s*<p class="where"><span class="item">)WHERE ', r"\1HERE "),
     (r'(:</p>\s*<p class="where"><span class="item">)WHERE ', r"\1"),
     # a factor stays with its formula, no line begins with a stop: browsers break beside a formula whatever joins it
-    (rf"(?<=\s)([\d(«]++)({_MATH})([.,;:)]*+)", "<span class=\"kept\">\\1\\2\N{WORD JOINER}\\3</span>"),
+    (rf"(?<=\s)([\d(«]++)({_MATH})([.,;:)]*+)", "<nobr>\\1\\2\N{WORD JOINER}\\3</nobr>"),
     (rf"({_MATH})([.,;:)]++)(?![^<]*</(?:div|th)>)",
-     "<span class=\"kept\">\\1\N{WORD JOINER}\\2</span>"),
+     "<nobr>\\1\N{WORD JOINER}\\2</nobr>"),
     (r"(</math></span>)(?=[.,;:)](?![^<]*</(?:div|th)>))", "\\1\N{WORD JOINER}"),
 )  # fmt: skip
 _TEX = (

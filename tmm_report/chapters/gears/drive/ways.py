@@ -86,6 +86,7 @@ WAYS = (
     Way("drive_eta", ETA, of="stage*_eta"),
     Way("drive_losses", LOSSES, by=_losses),
     Way("drive_u", WILLIS, of="drive_u_teeth stage*_ratio"),
+    Way("drive_u_teeth", WILLIS, of="drive_u"),
     Way(
         "drive_u_required",
         N_("Stated of the drive, or by the stated speeds of its ends."),

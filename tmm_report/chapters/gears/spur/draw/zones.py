@@ -21,7 +21,7 @@ from tmm_report.figures.drawing import (
     line,
     polygon,
 )
-from tmm_report.figures.lettering import Scale, Symbol
+from tmm_report.figures.lettering import Scale, Symbol, width
 from tmm_report.quantity.paper import round_scale
 from tmm_report.quantity.symbols import Symbol as Quantity
 
@@ -126,7 +126,8 @@ def _intervals(
         if b - a < NARROW:
             continue
         yield from _span(a, b, low, num((b - a) / k * 1e3))
-        yield Text(complex((a + b) / 2, low - 4.5), (words(n),), size=2.8, align=0)
+        if width((words(n),), 2.8) < b - a:
+            yield Text(complex((a + b) / 2, low - 4.5), (words(n),), size=2.8, align=0)
     yield line(complex(0, low - 18), complex(0, low), THIN)
     yield line(complex(wide, low - 18), complex(wide, low), THIN)
     yield from _span(0, wide, low - 17, num(wide / k * 1e3))
