@@ -30,7 +30,7 @@ FAULTS = (
     Fault("lines that end within a unit", "tmm_report/report/paper/punctuation.py",
           "text = _SLASH.sub(", "text = text or _SLASH.sub(", tests=TEXTS),
     Fault("lines that begin with the stop behind a formula", "tmm_report/report/paper/punctuation.py",
-          '"<span class=\\"kept\\">\\\\1\\N{WORD JOINER}\\\\2</span>"', '"\\\\1\\N{WORD JOINER}\\\\2"',
+          '"<nobr>\\\\1\\N{WORD JOINER}\\\\2</nobr>"', '"\\\\1\\N{WORD JOINER}\\\\2"',
           tests=("tests/report/test_note_html.py",)),
     Fault("zones of contact at any scale", ZONES,
           "k = 1 / round_scale(active, WIDE)", "k = WIDE / active", tests=GEARING),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
 from collections import Counter
 from functools import cache
@@ -19,7 +20,9 @@ pytestmark = pytest.mark.exhaustive  # it takes its half minute
 @cache
 def printed(name: str, language: str) -> tuple[str, ...]:
     """The pages of the PDF as text."""
-    office = program("soffice", "libreoffice")
+    office = shutil.which("soffice") or shutil.which("libreoffice")
+    if office is None:  # it is large: CI goes without, test_docx.py reads the same file by itself
+        pytest.skip("LibreOffice is not installed")
     with TemporaryDirectory() as place:
         file = Path(place, "note.docx")
         file.write_bytes(note(name, "docx", language)["note.docx"])
