@@ -21,7 +21,7 @@ _AGAIN = re.compile(
     r'<math class="again"[^>]*><mo [^>]*>[^<]*</mo></math><br/>'
 )  # a sign repeated at a line's end
 _CROSS = '<math><mo form="infix">×</mo>'  # with which a product goes on in the next line
-_KEPT = re.compile(r'<span class="kept">(.*?)</span>', re.S)  # that no line ends beside a formula
+_KEPT = re.compile(r"<nobr>(.*?)</nobr>", re.S)  # that no line ends beside a formula
 _MAIN = re.compile(r"<main>.*</main>", re.S)
 
 
