@@ -205,12 +205,8 @@ def test_figures_of_latex_stand_side_by_side(tmp_path):
     form = Tex()
     form.gather()
     for k, size in enumerate(((60, 40), (70, 20), (160, 20))):
-        assert (
-            form.placed(
-                f"figure{k}", Markup(f"No{k}"), form.picture(across(*size), f"figure{k}"), across(*size)
-            )
-            == ""
-        )
+        made = f"figure{k}", Markup(f"No{k}"), form.picture(across(*size), f"figure{k}")
+        assert form.placed(made, across(*size)) == ""
     body = form.due()
     assert body.count("begin{NoteInRow}") == 2 and body.count("begin{NoteFigure}") == 1
     given = {"page": Page(Tex(), Translator("en"), Numbering()), "title": TITLE, "head": "", "body": [body]}

@@ -121,10 +121,9 @@ def _paper(head: str) -> Paper:
         return USUAL
     top, right, bottom, left = map(float, sides.groups())
     margins, text = Margins(left, right, top, bottom), Text(float(size[1]), 1.0, 0.0, 0.0)
-    return Paper(margins, text, _FRAMES in head)
+    return Paper(margins, text)
 
 
-_FRAMES = "\n@page front {"
 _SIZE = r"(\d{1,3}(?:\.\d{1,3})?)"
 _LETTERS = re.compile(rf"^body {{ font-size: {_SIZE}pt", re.M)
 _MARGINS = re.compile(rf"^@page {{\s+margin: {_SIZE}mm {_SIZE}mm {_SIZE}mm {_SIZE}mm;", re.M)

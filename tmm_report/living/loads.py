@@ -149,10 +149,8 @@ class Loads:
                 yield Acting(quantity.key, at, lettered(quantity.sign, self.words), colour, point)
 
     def _nil_couples(self, acts: Acts, moved: Container[str]) -> Iterator[Acting]:
-        shown, given = {one.key for one in acts.couples}, self.found.given.moments
-        every = [(loads.inertia_couple(n), n) for n in self.found.diagram.loading.couples]
-        every += [(q, one.on) for q, one in zip(loads.moments(given), given, strict=True)]
-        for quantity, link in every:
+        shown = {one.key for one in acts.couples}
+        for quantity, link in self._turned():
             key = quantity.key
             if link in acts.links and key not in shown and key not in moved and key in self.couples:
                 k = int(self.cycle.numbered[acts.position])
@@ -160,6 +158,12 @@ class Loads:
                 if point and _most(self.couples[key]) > 0:
                     at = complex(self._at(point)[k]) * self.view.motion.mu / acts.scale
                     yield Acting(key, at, lettered(quantity.sign, self.words), "blue", link)
+
+    def _turned(self) -> Iterator[tuple[Quantity, str]]:
+        """Every couple that is a load, and the link that it acts on."""
+        given = self.found.given.moments
+        yield from ((loads.inertia_couple(n), n) for n in self.found.diagram.loading.couples)
+        yield from ((q, one.on) for q, one in zip(loads.moments(given), given, strict=True))
 
     def _of_guides(self, acts: Acts) -> Iterator[Acting]:
         """Moments of guides: the scheme of one position may have their reactions aside in their stead."""
@@ -257,11 +261,9 @@ class Loads:
 
     def _nil_pairs(self, acts: Acts, points: list[str]) -> Iterator[Acting]:
         """Pairs of forces for the couples that are nothing in the position of the lever."""
-        shown, given = {one.key for one in acts.forces}, self.found.given.moments
-        every = [(loads.inertia_couple(n), n) for n in self.found.diagram.loading.couples]
-        every += [(q, one.on) for q, one in zip(loads.moments(given), given, strict=True)]
+        shown = {one.key for one in acts.forces}
         fixed = self.view.mechanism.links[FRAME].points
-        for quantity, link in every:
+        for quantity, link in self._turned():
             force = lever_quantities.pair_force(quantity)
             own = [p for p in self.view.mechanism.links[link].points if p in points or p in fixed]
             if force.key not in shown and quantity.key in self.couples and len(own) > 1:

@@ -78,7 +78,7 @@ def render(
     own = _own(template_of) if template_of else None
     text = _written(given, parts, page, undone, own)
     if living is not None and fmt == "html":
-        text = page.numbering.known(living(text, page))
+        text = living(text, page)
     if fmt == "docx":
         return {"note.docx": _packed(text, given, page)}
     return page.form.files if fmt == "png" else {f"note.{fmt}": text.encode(), **page.form.files}

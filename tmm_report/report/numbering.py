@@ -206,9 +206,8 @@ class Numbering:
             (self._awaited[label], self.places[label]) for label in self._awaited.keys() - missing.keys()
         ]
         marks = {mark: known for place, found in pairs for mark, known in zip(place, found, strict=True)}
-        for _ in range(
-            2
-        ):  # the number of a drawing has the letter of its appendix in it, which comes later, too
+        # twice, as the number of a drawing has in it the letter of its appendix, which comes later, too
+        for _ in range(2):
             text = re.sub(rf"{self._secret}x\d+[na]", lambda mark: marks[mark[0]], text)
         return re.sub(r"<p>\s*</p>\n?", "", text)
 

@@ -24,7 +24,7 @@ from tmm_report.quantity.text import number
 from tmm_report.quantity.written import Equation
 from tmm_report.records import dataclass
 from tmm_report.report import plain, written
-from tmm_report.report.formats import Tex
+from tmm_report.report.formats import Tex, TexFigure
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
 from tmm_report.report.part import Part
@@ -129,9 +129,9 @@ class Kept(Tex):
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         return Markup("")
 
-    def placed(self, anchor: str, caption: Markup, drawn: Markup, picture: Drawing | Graph) -> Markup:
+    def placed(self, figure: TexFigure, picture: Drawing | Graph) -> Markup:
         drawing = picture if isinstance(picture, Drawing) else picture.drawing
-        title = tuple(self._pieces(str(caption)))
+        title = tuple(self._pieces(str(figure[1])))
         self.figures.append(Figure(drawing, self.kind, title, isinstance(picture, Graph)))
         return Markup("")
 

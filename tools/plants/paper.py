@@ -18,7 +18,7 @@ FAULTS = (
           "{{ p.margins.bottom }}mm {{ p.margins.left }}mm", "{{ p.margins.bottom }}mm {{ p.margins.left - 5 }}mm",
           tests=PROFILES),
     Fault("room for pictures that does not follow the margins", "tmm_report/report/page.py",
-          "self.form.paper = Paper(self.profile.margins, self.profile.text, self.profile.frames)", "pass",
+          "self.form.paper = Paper(self.profile.margins, self.profile.text)", "pass",
           tests=PROFILES),
     Fault("a base that goes before what is stated over it", "tmm_report/profiles.py",
           "return {**under, **over, **inner}", "return {**over, **under, **inner}", tests=PROFILES),

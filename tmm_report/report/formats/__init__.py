@@ -24,7 +24,8 @@ from tmm_report.records import dataclass
 from tmm_report.report.paper.layout import Cell, Words
 from tmm_report.report.paper.lines import broken, finer, pieces
 from tmm_report.report.paper.measure import breakable
-from tmm_report.report.paper.rows import Drawings, Row, Waiting
+from tmm_report.report.paper.rows import Ready, Row, Waiting
+from tmm_report.report.paper.sheets import Sheet
 
 
 class Mathematics(Protocol):
@@ -38,7 +39,7 @@ class Mathematics(Protocol):
 
 
 @dataclass
-class Html(Waiting[Markup]):
+class Html(Ready):
     """One self-contained file: pictures stand in it as svg.
 
     `breaking`: whether a line may break within words longer than any of a language, as in a note; `pictures`: those of
@@ -75,22 +76,15 @@ class Html(Waiting[Markup]):
         drawing = svg(drawing_of(picture), title=_words(str(caption)))
         return Markup(drawing.replace(_LETTERS, "", 1).replace('"#000000"', '"#000"'))
 
-    def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
-        """A figure with its caption where it comes, if it stands there."""
-        return Markup("") if self.kept(figure, picture) else figure
-
-    def row(self, row: Row[Markup]) -> Markup:
-        if row.sideways:
-            figures = Markup("").join(one.figure for one in row.figures)
-            return Markup(f'<div class="sideways"><div>\n{figures}</div></div>\n')
-        if len(row.figures) == 1:
-            return row.figures[0].figure
+    def in_row(self, row: Row[Markup]) -> Markup:
         beside = [f'<div style="flex:1 1 {one.wide:.1f}mm">{one.figure}</div>' for one in row.figures]
         return Markup(f'<div class="row">\n{"".join(beside)}</div>\n')
 
-    def sheet(self, drawings: Drawings[Markup], head: Markup) -> Markup:
-        figures = Markup("").join(one.figure for one in drawings.figures)
-        return Markup(f'<div class="sheet {drawings.sheet.name}">\n{head}{figures}</div>\n')
+    def sideways(self, figures: Markup) -> Markup:
+        return Markup(f'<div class="sideways"><div>\n{figures}</div></div>\n')
+
+    def sheet(self, sheet: Sheet, figures: Markup) -> Markup:
+        return Markup(f'<div class="sheet {sheet.name}">\n{figures}</div>\n')
 
 
 def _words(caption: str) -> str:
@@ -109,8 +103,12 @@ def _data(cell: Any) -> str:
     return attributes(cell.ref) if isinstance(cell, Cell | Words) else ""
 
 
+TexFigure: TypeAlias = tuple[str, Markup, Markup]
+"""Anchor, caption and drawing."""
+
+
 @dataclass
-class Tex(Waiting[tuple[str, Markup, Markup]]):
+class Tex(Waiting[TexFigure]):
     """`files`: the figures that note.tex reads, by their names beside it."""
 
     name = "tex"
@@ -127,19 +125,15 @@ class Tex(Waiting[tuple[str, Markup, Markup]]):
         line = self.paper.line
         return Markup("".join(_displayed(one, line) for one in pieces(text)) if display else f"${text}$")
 
-    def placed(self, anchor: str, caption: Markup, drawn: Markup, picture: Drawing | Graph) -> Markup:
-        """A figure where it comes, if it stands there."""
-        figure = anchor, caption, drawn
-        return Markup("") if self.kept(figure, picture) else _tex_figure("NoteFigure", figure)
+    def alone(self, figure: TexFigure) -> Markup:
+        return _tex_figure("NoteFigure", figure)
 
-    def row(self, row: Row[tuple[str, Markup, Markup]]) -> Markup:
+    def drawn(self, figure: TexFigure) -> Markup:
+        return _tex_figure("NoteDrawing", figure)
+
+    def in_row(self, row: Row[TexFigure]) -> Markup:
         """What is left of the width of the text is shared among the figures."""
-        if row.sideways:
-            figures = Markup("").join(_tex_figure("NoteDrawing", one.figure) for one in row.figures)
-            return Markup(f"\\begin{{NoteSideways}}\n{figures}\\end{{NoteSideways}}\n\n")
         more = (self.paper.width - row.wide) / len(row.figures)
-        if len(row.figures) == 1:
-            return _tex_figure("NoteFigure", row.figures[0].figure)
         beside = list[str]()
         for one in row.figures:
             anchor, caption, drawn = one.figure
@@ -147,12 +141,13 @@ class Tex(Waiting[tuple[str, Markup, Markup]]):
             beside.append(f"\\begin{{NoteInRow}}{head}\n{drawn}%\n\\end{{NoteInRow}}%\n")
         return Markup("\\begin{NoteRow}\n" + "\\hfill\n".join(beside) + "\\end{NoteRow}\n\n")
 
-    def sheet(self, drawings: Drawings[tuple[str, Markup, Markup]], head: Markup) -> Markup:
+    def sideways(self, figures: Markup) -> Markup:
+        return Markup(f"\\begin{{NoteSideways}}\n{figures}\\end{{NoteSideways}}\n\n")
+
+    def sheet(self, sheet: Sheet, figures: Markup) -> Markup:
         """With width and height of the paper and of what is printed on it, margins to the left and above."""
-        one = drawings.sheet
-        sizes = "".join(f"{{{size:g}mm}}" for size in (one.wide, one.tall, *one.field, *one.corner))
-        figures = Markup("").join(_tex_figure("NoteDrawing", kept.figure) for kept in drawings.figures)
-        return Markup(f"\\begin{{NoteSheet}}{sizes}\n{head}{figures}\\end{{NoteSheet}}\n\n")
+        sizes = "".join(f"{{{size:g}mm}}" for size in (sheet.wide, sheet.tall, *sheet.field, *sheet.corner))
+        return Markup(f"\\begin{{NoteSheet}}{sizes}\n{figures}\\end{{NoteSheet}}\n\n")
 
     def picture(self, picture: Drawing | Graph, anchor: str) -> Markup:
         name = f"figures/{anchor}.tex"
@@ -162,7 +157,7 @@ class Tex(Waiting[tuple[str, Markup, Markup]]):
         return Markup(f"\\scalebox{{{size}}}{{{command}}}" if size < 1 else command)
 
 
-def _tex_figure(kind: str, figure: tuple[str, Markup, Markup]) -> Markup:
+def _tex_figure(kind: str, figure: TexFigure) -> Markup:
     anchor, caption, drawn = figure
     return Markup(f"\\begin{{{kind}}}{{{anchor}}}{{{caption}}}\n\n{drawn}%\n\\end{{{kind}}}\n\n")
 

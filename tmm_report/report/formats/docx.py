@@ -27,8 +27,8 @@ from tmm_report.report.formats import Mathematics, drawing_of
 from tmm_report.report.numbering import Place
 from tmm_report.report.paper.measure import breakable
 from tmm_report.report.paper.office_math import broken, in_line, wide
-from tmm_report.report.paper.rows import GAP, Drawings, Row, Waiting
-from tmm_report.report.paper.sheets import POINT
+from tmm_report.report.paper.rows import GAP, Ready, Row
+from tmm_report.report.paper.sheets import POINT, Sheet
 
 BREAK = "\N{ZERO WIDTH SPACE}"
 EMU = 36_000  # a millimetre
@@ -55,7 +55,7 @@ class Field(NamedTuple):
 
 
 @dataclass
-class Docx(Waiting[Markup]):
+class Docx(Ready):
     """`files`: pictures, by their places in the file; `counts`: of headings, as a word processor counts them."""
 
     name = "docx"
@@ -124,17 +124,7 @@ class Docx(Waiting[Markup]):
         marks = [line(x - 1j * half, x + 1j * half, NORMAL) for x, half in ((0, 2), (50, 1), (100, 2))]
         return self.image(Drawing((line(0j, 100 + 0j, NORMAL), *marks), "100 mm"), "bar")
 
-    def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
-        """A figure with its caption where it comes, if it stands there."""
-        return Markup("") if self.kept(figure, picture) else figure
-
-    def row(self, row: Row[Markup]) -> Markup:
-        if row.sideways:  # a word processor turns no picture with its caption: it lays the page on its side
-            one = self.paper.margins
-            margins = (one.left, one.top, one.right, one.bottom)  # its binding is above
-            return _of_own(Markup("").join(kept.figure for kept in row.figures), A4[::-1], margins)
-        if len(row.figures) == 1:
-            return row.figures[0].figure
+    def in_row(self, row: Row[Markup]) -> Markup:
         room = self.paper.width - row.wide
         widths = [
             twips(one.wide + GAP * (k > 0) + room / len(row.figures)) for k, one in enumerate(row.figures)
@@ -144,9 +134,13 @@ class Docx(Waiting[Markup]):
             f'<n:grid widths="{" ".join(map(str, widths))}" align="bottom"><n:row>{cells}</n:row></n:grid>'
         )
 
-    def sheet(self, drawings: Drawings[Markup], head: Markup) -> Markup:
-        sheet, figures = drawings.sheet, Markup("").join(one.figure for one in drawings.figures)
-        return _of_own(head + figures, (sheet.wide, sheet.tall), sheet.margins)
+    def sideways(self, figures: Markup) -> Markup:
+        """A word processor turns no picture with its caption: it lays the page on its side, with its binding above."""
+        one = self.paper.margins
+        return _of_own(figures, A4[::-1], (one.left, one.top, one.right, one.bottom))
+
+    def sheet(self, sheet: Sheet, figures: Markup) -> Markup:
+        return _of_own(figures, (sheet.wide, sheet.tall), sheet.margins)
 
     # ------------------------------------------------------------ sizes
 

@@ -22,13 +22,14 @@ from tmm_report.records import dataclass
 from tmm_report.report.formats import Mathematics, drawing_of
 from tmm_report.report.paper import measure
 from tmm_report.report.paper.measure import breakable, known_letters
-from tmm_report.report.paper.rows import GAP, Drawings, Row, Waiting
+from tmm_report.report.paper.rows import GAP, Ready, Row
+from tmm_report.report.paper.sheets import Sheet
 
 BREAK = "\N{ZERO WIDTH SPACE}"
 
 
 @dataclass
-class Typst(Waiting[Markup]):
+class Typst(Ready):
     """`files`: what stands beside the note: nothing."""
 
     name = "typst"
@@ -63,27 +64,19 @@ class Typst(Waiting[Markup]):
         """Text of the document's properties."""
         return Markup(string(_printable(text)))
 
-    def placed(self, figure: Markup, picture: Drawing | Graph) -> Markup:
-        """A figure with its caption where it comes, if it stands there."""
-        return Markup("") if self.kept(figure, picture) else figure
-
-    def row(self, row: Row[Markup]) -> Markup:
-        if row.sideways:
-            figures = Markup("").join(one.figure for one in row.figures)
-            return Markup(
-                f"#note-sideways({self.paper.height - 1:g}mm, {self.paper.width - 1:g}mm)[\n{figures}];\n"
-            )
-        if len(row.figures) == 1:
-            return row.figures[0].figure
+    def in_row(self, row: Row[Markup]) -> Markup:
         room = self.paper.width - row.wide
         widths = ", ".join(f"{one.wide + room / len(row.figures):.3f}mm" for one in row.figures)
         cells = "".join(f"[{one.figure}]" for one in row.figures)
         return Markup(f"#note-row(({widths}), {GAP:g}mm){cells};\n")
 
-    def sheet(self, drawings: Drawings[Markup], head: Markup) -> Markup:
-        sheet, figures = drawings.sheet, Markup("").join(one.figure for one in drawings.figures)
+    def sideways(self, figures: Markup) -> Markup:
+        size = f"{self.paper.height - 1:g}mm, {self.paper.width - 1:g}mm"
+        return Markup(f"#note-sideways({size})[\n{figures}];\n")
+
+    def sheet(self, sheet: Sheet, figures: Markup) -> Markup:
         margins = ", ".join(f"{one:g}mm" for one in sheet.margins)
-        return Markup(f"#note-sheet({sheet.wide:g}mm, {sheet.tall:g}mm, ({margins}))[\n{head}{figures}];\n")
+        return Markup(f"#note-sheet({sheet.wide:g}mm, {sheet.tall:g}mm, ({margins}))[\n{figures}];\n")
 
 
 # --- mathematics ---

@@ -81,13 +81,29 @@ class Waiting(Generic[T]):
     gathers: bool = False
     drawings: list[Kept[T]] = field(default_factory=list)
 
-    def row(self, row: Row[T]) -> Markup:
-        """The markup of figures that stand together."""
+    def alone(self, figure: T) -> Markup:
+        """The markup of a figure in the text."""
         raise NotImplementedError
 
-    def sheet(self, drawings: Drawings[T], head: Markup) -> Markup:
-        """The markup of a sheet of drawings; `head`: what is printed above them."""
+    def drawn(self, figure: T) -> Markup:
+        """Of one among others on a page or sheet of their own."""
+        return self.alone(figure)
+
+    def in_row(self, row: Row[T]) -> Markup:
+        """Of figures side by side."""
         raise NotImplementedError
+
+    def sideways(self, figures: Markup) -> Markup:
+        """Of a page on which they stand so."""
+        raise NotImplementedError
+
+    def sheet(self, sheet: Sheet, figures: Markup) -> Markup:
+        """Of a sheet with them."""
+        raise NotImplementedError
+
+    def placed(self, figure: T, picture: Drawing | Graph) -> Markup:
+        """A figure where it comes, if it stands there."""
+        return Markup("") if self.kept(figure, picture) else self.alone(figure)
 
     def gather(self) -> Markup:
         """From here on all figures wait for the next heading."""
@@ -97,7 +113,15 @@ class Waiting(Generic[T]):
     def due(self) -> Markup:
         """At a heading: the figures that wait; those behind it do not wait."""
         rows, self.waiting, self.gathers = together(self.waiting, self.paper), [], False
-        return Markup("").join(map(self.row, rows))
+        return Markup("").join(map(self._laid, rows))
+
+    def _laid(self, row: Row[T]) -> Markup:
+        if row.sideways:
+            return self.sideways(self._drawn(row.figures))
+        return self.in_row(row) if len(row.figures) > 1 else self.alone(row.figures[0].figure)
+
+    def _drawn(self, figures: Iterable[Kept[T]]) -> Markup:
+        return Markup("").join(self.drawn(one.figure) for one in figures)
 
     def kept(self, figure: T, picture: Drawing | Graph) -> bool:
         """Whether a figure does not stand where it comes, but is kept."""
@@ -121,8 +145,10 @@ class Waiting(Generic[T]):
 
     def sheets(self, head: Markup) -> Markup:
         """The drawings on their sheets, `head` on the first of them."""
-        found = on_sheets(self.drawings, self.paper)
-        return Markup("").join(self.sheet(one, Markup("") if k else head) for k, one in enumerate(found))
+        found = [(one.sheet, self._drawn(one.figures)) for one in on_sheets(self.drawings, self.paper)]
+        return Markup("").join(
+            self.sheet(sheet, figures if k else head + figures) for k, (sheet, figures) in enumerate(found)
+        )
 
     def apart(self, write: Callable[[], Markup]) -> Markup:
         """What stands elsewhere, in an appendix, with the figures of its own that wait."""
@@ -131,6 +157,13 @@ class Waiting(Generic[T]):
             return write() + self.due()
         finally:
             self.waiting, self.gathers = before
+
+
+class Ready(Waiting[Markup]):
+    """Figures that wait as their markup."""
+
+    def alone(self, figure: Markup) -> Markup:
+        return figure
 
 
 def together(waiting: Iterable[Kept[T]], paper: Paper) -> list[Row[T]]:

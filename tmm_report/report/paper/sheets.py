@@ -53,7 +53,6 @@ class Paper:
 
     margins: Margins
     text: Text
-    frames: bool = False
 
     @property
     def width(self) -> float:
