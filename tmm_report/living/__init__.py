@@ -10,7 +10,7 @@ import base64
 import json
 import re
 import zlib
-from collections.abc import Callable, Container, Mapping
+from collections.abc import Container, Mapping
 from functools import cache
 from html import unescape
 from typing import Any
@@ -63,7 +63,7 @@ def known(results: Results, page: Page, pictures: Pictures, shown: Container[str
     found: dict[str, Any] = {
         "words": words(page.tr),
         "decimal": page.tr.decimal,
-        "told": packed(told(results, page, shown), page.numbering.known),
+        "told": packed(told(results, page, shown)),
     }
     lever, moves = results.lever, moved(pictures, results)
     if lever is None or (cycle := cycle_of(results)) is None:
@@ -91,12 +91,11 @@ def known(results: Results, page: Page, pictures: Pictures, shown: Container[str
     }
 
 
-def packed(data: Any, known: Callable[[str], str]) -> str:
-    """What is asked for by a click alone: raw deflate (RFC 1951) in base64, a quarter of the text. `known`: puts the
-    numbers in that came later than they were referred to."""
+def packed(data: Any) -> str:
+    """What is asked for by a click alone: raw deflate (RFC 1951) in base64, a quarter of the text."""
     squeeze = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS)
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-    return base64.b64encode(squeeze.compress(known(text).encode()) + squeeze.flush()).decode()
+    return base64.b64encode(squeeze.compress(text.encode()) + squeeze.flush()).decode()
 
 
 def as_json(data: Any) -> str:

@@ -211,10 +211,6 @@ class Numbering:
             text = re.sub(rf"{self._secret}x\d+[na]", lambda mark: marks[mark[0]], text)
         return re.sub(r"<p>\s*</p>\n?", "", text)
 
-    def known(self, text: str) -> str:
-        """A text apart from the note with all numbers and anchors that are known in the end."""
-        return self.resolved(text, whole=False)
-
     def fresh(self, items: Iterable[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
         """Those of a "where" list's items that have not been explained before, by their "id" or "kind", nor as the same
         symbol in the same words by another."""

@@ -10,8 +10,6 @@ LOADS = ("tests/living/test_living_loads.py",)
 DATA, SEEN = ("tests/living/test_living_data.py",), ("tests/living/test_living_page.py",)
 
 FAULTS = (
-    Fault("what a click tells before its numbers are known", "tmm_report/living/__init__.py",
-          "known(text).encode()", "text.encode()", tests=("tests/living/test_living_data.py",)),
     Fault("links go between positions without their accelerations", LIVING + "mechanism.py",
           "a0 * h**2 / 2", "0 * a0 * h**2 / 2", "compressor", DATA),
     Fault("the script goes between positions by the places alone", SCRIPT + "mechanism.js",
