@@ -18,6 +18,12 @@ function restore(within) {
   }
 }
 
+// What stands over a figure that shows another position than that of its caption.
+function says(figure, told) {
+  const one = figure.querySelector(":scope > .over") ?? figure.appendChild(element("span", { class: "over" }));
+  say(one, told);
+}
+
 const numbers = (d) => d.match(/-?[\d.]+(?:e-?\d+)?/g).map(Number);
 
 function livePlan(figure, plan) {
@@ -48,12 +54,17 @@ function livePlan(figure, plan) {
     ];
     return spots.reduce((a, b) => (b.far < a.far ? b : a)).of;
   };
-  const texts = [...all.querySelectorAll("text")].map((one) => [one, anchored(Number(one.getAttribute("x")), Number(one.getAttribute("y")))]);
-  const dots = [...all.querySelectorAll("circle")].map((one) => [one, anchored(Number(one.getAttribute("cx")), Number(one.getAttribute("cy")))]);
-  const own = svg.getAttribute("viewBox").split(" ").map(Number);
   const others = [...all.children].filter((one) => one.localName === "path");
+  const marks = [...all.querySelectorAll("text, circle")].map((one) => {
+    const [x, y] = ["x", "y"].map((c) => Number(one.getAttribute(c) ?? one.getAttribute(`c${c}`)));
+    const group = drawn("g"); // what moves is the group: a text that moves by itself is laid out anew
+    one.replaceWith(group);
+    group.append(one);
+    return { group, x, y, ends: anchored(x, y) };
+  });
+  const own = svg.getAttribute("viewBox").split(" ").map(Number);
   return () => {
-    if (position() === plan.position) return restore(figure);
+    if (position() === plan.position) return says(figure, ""), restore(figure);
     const nodes = plan.nodes.map((n) => {
       const [x, y] = n ? [value(n[0]), value(n[1])] : [null, null];
       return x === null || y === null ? null : [x, y];
@@ -62,7 +73,7 @@ function livePlan(figure, plan) {
     const box = roomFor(nodes, own);
     const larger = Math.max(box[2] / own[2], box[3] / own[3]);
     change(svg, "viewBox", box.join(" "));
-    change(figure, "data-now", `φ = ${text(where.at, 4)}°${larger > 1.001 ? `, ${text(1 / larger, 2)} : 1` : ""}`);
+    says(figure, `φ = ${text(where.at, 4)}°${larger > 1.001 ? `, ${text(1 / larger, 2)} : 1` : ""}`);
     for (const { one, from, to } of free) {
       const there = nodes[from] && nodes[to];
       change(one, "visibility", there ? "visible" : "hidden");
@@ -73,13 +84,12 @@ function livePlan(figure, plan) {
       const thick = originals.get(one.children[0])["stroke-width"] ?? one.children[0].getAttribute("stroke-width");
       if (thick) change(one.children[0], "stroke-width", thick * larger);
     }
-    for (const [one, [a, b]] of [...texts, ...dots]) {
+    for (const { group, x, y, ends: [a, b] } of marks) {
       const there = nodes[a] && nodes[b];
-      change(one, "visibility", there ? "visible" : "hidden");
+      change(group, "visibility", there ? "visible" : "hidden");
       if (!there) continue;
       const by = [0, 1].map((c) => (nodes[a][c] + nodes[b][c] - plan.at[a][c] - plan.at[b][c]) / 2);
-      const [x, y] = ["x", "y"].map((c) => Number(one.getAttribute(c) ?? one.getAttribute(`c${c}`)));
-      change(one, "transform", `translate(${by[0] + x} ${-by[1] + y}) scale(${larger}) translate(${-x} ${-y})`);
+      change(group, "transform", `translate(${by[0] + x} ${-by[1] + y}) scale(${larger}) translate(${-x} ${-y})`);
     }
     for (const one of others) change(one, "visibility", "hidden"); // lines by which it was constructed
   };

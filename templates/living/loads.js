@@ -6,14 +6,14 @@ const LETTER = 2.8; // mm
 const ROOM = [150, 120, 165]; // mm of paper: the width of a scheme at least; at most its height, and that of a lever
 const TURN = 6; // mm, radius of the arc of a couple
 
-// A letter with its indices: base, lower, upper.
+// A letter with its indices: base, lower, upper. What moves is the group: a text that moves by itself is laid out anew.
 function lettered([base, sub = "", sup = ""], attributes) {
   const one = drawn("text", { "font-size": LETTER, ...attributes });
   one.append(drawn("tspan", { "font-style": "italic" }, base));
   const small = (said, dy) => one.append(drawn("tspan", { "font-size": 0.72 * LETTER, dy }, said));
   if (sub) small(sub, 0.22 * LETTER);
   if (sup) small(sup, (sub ? -0.58 : -0.36) * LETTER);
-  return one;
+  return drawn("g", {}, one);
 }
 
 // A vector turned by the factor [c, s].
@@ -88,7 +88,8 @@ function lead(one, from, to, larger) {
 
 // A letter beyond (x, y), y up, where something ends that points along (u, v).
 function letterAt(name, x, y, u, v, larger) {
-  name.setAttribute("text-anchor", u < -0.4 ? "end" : u > 0.4 ? "start" : "middle");
+  const anchor = u < -0.4 ? "end" : u > 0.4 ? "start" : "middle";
+  if (name.firstChild.getAttribute("text-anchor") !== anchor) name.firstChild.setAttribute("text-anchor", anchor);
   const [to, down] = [x + 1.2 * larger * u, -(y + 2.2 * larger * v) + 0.9 * larger];
   name.setAttribute("transform", `translate(${to} ${down}) scale(${larger})`);
 }
@@ -209,11 +210,11 @@ function liveLoads(figure, load) {
     change(svg, "viewBox", room.box.join(" "));
     change(svg, "width", room.size[0]), change(svg, "height", room.size[1]);
     change(note, "visibility", noted ? "visible" : "hidden");
-    if (noted) return change(figure, "data-now", "");
+    if (noted) return says(figure, "");
     for (const part of parts) part();
     const moment = load.moment && column("M_bal");
     const told = moment ? `, ${moment.sign} = ${text(value(moment.values))} ${moment.unit}` : "";
     const smaller = room.larger > 1.001 ? `, ${text(1 / room.larger, 2)} : 1` : "";
-    change(figure, "data-now", `φ = ${text(where.at, 4)}°${told}${smaller}`);
+    says(figure, `φ = ${text(where.at, 4)}°${told}${smaller}`);
   };
 }

@@ -90,10 +90,11 @@ function stageDrawn() {
   const up = drawn("g", { transform: "scale(1 -1)" });
   const links = Object.keys(mechanism.links).map((name) => [linkDrawn(name), name]);
   const tied = ties();
+  const gap = 1.8 * Math.max(1, box[2] / 160);
   const points = Object.entries(mechanism.points).map(([name, [, , , joint]]) => {
     const mark = drawn("circle", { r: (joint ? 1.3 : 0.6) * Math.max(1, box[2] / 160), class: joint ? "joint" : "dot", "data-point": name });
-    const letter = drawn("text", { "data-point": name }, name);
-    return { name, mark, letter };
+    const letter = drawn("text", { "data-point": name, x: gap, y: -gap }, name);
+    return { name, mark, letter: drawn("g", {}, letter) }; // what moves is the group: its text is laid out once
   });
   const vectors = Object.keys(cycle.vectors);
   const of = (letter) => vectors.filter((k) => k.startsWith(letter) && k.slice(2) in mechanism.points).map((k) => [k, k.slice(2)]);
@@ -106,7 +107,6 @@ function stageDrawn() {
   up.append(layers.paths.group, ...links.map(([g]) => g), tied.group, ...points.map((p) => p.mark));
   for (const name of ["velocities", "accelerations", "forces"]) up.append(layers[name].group);
   svg.append(up, ...points.map((p) => p.letter));
-  const gap = 1.8 * Math.max(1, box[2] / 160);
   const draw = () => {
     for (const [group, name] of links) set(group, name);
     for (const { name, mark, letter } of points) {
@@ -114,7 +114,7 @@ function stageDrawn() {
       for (const one of [mark, letter]) one.style.display = at ? "" : "none";
       if (!at) continue;
       mark.setAttribute("cx", at[0]), mark.setAttribute("cy", at[1]);
-      letter.setAttribute("x", at[0] + gap), letter.setAttribute("y", -at[1] - gap);
+      letter.setAttribute("transform", `translate(${at[0]} ${-at[1]})`);
     }
     tied.draw();
     for (const one of Object.values(layers)) if (one.shown) one.draw();
@@ -265,7 +265,7 @@ function dock() {
     slider.value = where.at;
     const k = numbered();
     const exact = position() === cycle.numbered[k];
-    told.textContent = `${words.position} ${exact ? "" : "≈ "}${k}   φ = ${text(where.at, 4)}°`;
+    say(told, `${words.position} ${exact ? "" : "≈ "}${k}   φ = ${text(where.at, 4)}°`);
   });
   new MutationObserver(() => {
     player.textContent = root.classList.contains("playing") ? "❚❚" : "▶";
@@ -288,7 +288,7 @@ function readings() {
     if (columns.length) all.append(table);
   }
   const draw = () => {
-    if (all.open) for (const [cell, values] of lines) cell.textContent = text(value(values));
+    if (all.open) for (const [cell, values] of lines) say(cell, text(value(values)));
   };
   all.addEventListener("toggle", draw);
   followers.push(draw);

@@ -22,6 +22,12 @@ function filled(one, attributes, children) {
   return one;
 }
 
+// New words without a new node: nothing else is laid out anew.
+function say(one, said) {
+  if (!one.firstChild) one.append("");
+  if (one.firstChild.data !== said) one.firstChild.data = said;
+}
+
 const text = (x, digits = 5) => {
   if (x === null || x === undefined) return "–";
   return Number(x.toPrecision(digits)).toString().replace("-", "\u2212").replace(".", known.decimal);

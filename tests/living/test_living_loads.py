@@ -123,7 +123,7 @@ LOADS = """
     const live = figure.querySelector('.loads');
     const moved = shape();
     const one = {
-      anchor, at, hidden: getComputedStyle(note).visibility, told: figure.dataset.now, out: out(figure, live),
+      anchor, at, hidden: getComputedStyle(note).visibility, told: figure.querySelector('.over').textContent, out: out(figure, live),
       arrows: [...live.querySelectorAll('g[data-q]')].filter(g => g.style.display !== 'none').map(
         g => [g.dataset.q, g.firstChild.getAttribute('d'), g.lastChild.getAttribute('d')]),
       points: [...live.querySelectorAll('circle[data-point]')].map(

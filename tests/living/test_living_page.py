@@ -35,7 +35,9 @@ def seen(name: str) -> dict[str, Any]:
         )
         found["keys"] = keys(talk)
         found["plans"] = run(talk, PLANS)
-        found["said_on_plan"] = run(talk, "document.getElementById(Object.keys(known.plans)[0]).dataset.now")
+        found["said_on_plan"] = run(
+            talk, "document.getElementById(Object.keys(known.plans)[0]).querySelector('.over').textContent"
+        )
         found["explained"] = run(talk, EXPLAINED % "x => formulaOf(x.dataset.q, x.dataset.k)")
         found["titles"] = run(
             talk,

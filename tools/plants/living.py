@@ -7,6 +7,7 @@ from faults import Fault
 LIVING, SCRIPT = "tmm_report/living/", "templates/living/"
 MOVES = ("tests/living/test_living_moves.py",)
 LOADS = ("tests/living/test_living_loads.py",)
+PACE = ("tests/living/test_living_pace.py",)
 DATA, SEEN = ("tests/living/test_living_data.py",), ("tests/living/test_living_page.py",)
 
 FAULTS = (
@@ -50,6 +51,8 @@ FAULTS = (
           "const controls = element(",
           'document.body.append(element("select", {}, element("option", {}, "1")));\n  const controls = element(',
           "compressor", ("tests/page/drawings/test_measured_on_paper.py",)),
+    Fault("each frame measures and paints the whole page", SCRIPT + "living.css",
+          ".living main > * { position: relative; }", "", "compressor", PACE),
     Fault("figures have no names but their own", "tmm_report/figures/drawing.py",
           "title = drawing.title or title", "title = drawing.title", "crank_rocker",
           ("tests/page/drawings/test_titles.py",)),
