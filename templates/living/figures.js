@@ -18,10 +18,14 @@ function restore(within) {
   }
 }
 
-// What stands over a figure that shows another position than that of its caption.
-function says(figure, told) {
-  const one = figure.querySelector(":scope > .over") ?? figure.appendChild(element("span", { class: "over" }));
-  say(one, told);
+// What stands over a figure that shows another position than that of its caption: the angle, and behind it a number.
+function says(figure, told, sign = "", rest = "") {
+  let one = figure.querySelector(":scope > .over");
+  if (!one) {
+    one = figure.appendChild(element("span", { class: "over" }, element("span"), ...signed(sign), element("span")));
+  }
+  one.hidden = !told;
+  say(one.firstChild, told), say(one.lastChild, rest);
 }
 
 const numbers = (d) => d.match(/-?[\d.]+(?:e-?\d+)?/g).map(Number);

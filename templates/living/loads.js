@@ -146,10 +146,23 @@ function linksDrawn(load, group, at, larger) {
     const mark = drawn("circle", { class: joint ? "joint" : "dot", "data-point": name, r: (joint ? 1.2 : 0.7) * larger });
     return { name, mark, letter: lettered([name[0], name.slice(1)], { "data-point": name }) };
   });
-  up.append(...links.map(([g]) => g), ...points.map(({ mark }) => mark));
-  group.append(up, ...points.map(({ letter }) => letter));
+  // links that replace cam pairs: from a centre of curvature to where the follower is met
+  const rods = (load.rods ?? []).map(([centre, met, letter]) => {
+    const [one, mark] = [drawn("path", { class: "rod" }), drawn("circle", { class: "joint", r: 1.2 * larger })];
+    return { centre, met, one, mark, letter: lettered(letter, {}) };
+  });
+  up.append(...links.map(([g]) => g), ...rods.flatMap(({ one, mark }) => [one, mark]), ...points.map(({ mark }) => mark));
+  group.append(up, ...[...rods, ...points].map(({ letter }) => letter));
   return () => {
     for (const [one, name] of links) set(one, name, load.by);
+    for (const { centre, met, one, mark, letter } of rods) {
+      const [from, to] = [at.force(centre)[0], at.force(met)[0]];
+      for (const part of [one, mark, letter]) part.style.display = from && to ? "" : "none";
+      if (!from || !to) continue;
+      one.setAttribute("d", line([...from, ...to]));
+      mark.setAttribute("transform", `translate(${from[0]} ${from[1]})`);
+      letterAt(letter, from[0] + larger, from[1] + 0.5 * larger, 0.45, 0.7, larger);
+    }
     for (const { name, mark, letter } of points) {
       const at = place(name);
       for (const one of [mark, letter]) one.style.display = at ? "" : "none";
@@ -159,6 +172,14 @@ function linksDrawn(load, group, at, larger) {
       letterAt(letter, x + larger, y + 0.5 * larger, 0.45, 0.7, larger);
     }
   };
+}
+
+// Some places of the outlines of a link.
+function* edges(name) {
+  for (const of of mechanism.links[name]?.outlines ?? []) {
+    const by = 2 * Math.ceil(of.length / 48);
+    for (let k = 0; k < of.length; k += by) yield carried(name, of[k], of[k + 1]);
+  }
 }
 
 // The figure is given the room that all positions need, from the first motion on: what does not fit is drawn smaller, its
@@ -172,6 +193,8 @@ function roomOf(load, at, own) {
         if (load.sides) ["", ...load.points].forEach((name) => add(at.end(name), 3));
         for (const a of larger ? arrowsOf(load, at, larger) : []) add(a?.end, 5), add(a?.start, 3);
         for (const [, where] of load.couples ?? []) add(at.link(where), TURN + 3);
+        for (const [centre] of load.rods ?? []) add(at.force(centre)[0], 5);
+        for (const name of load.links ?? []) for (const spot of edges(name)) add(spot?.map((x) => x * load.by), 1);
         for (const name of load.links ?? []) for (const [point, of] of Object.entries(mechanism.points)) {
           const spot = of[4].includes(name) && name !== "0" && place(point);
           if (spot) add(spot.map((x) => x * load.by), 5);
@@ -213,8 +236,8 @@ function liveLoads(figure, load) {
     if (noted) return says(figure, "");
     for (const part of parts) part();
     const moment = load.moment && column("M_bal");
-    const told = moment ? `, ${moment.sign} = ${text(value(moment.values))} ${moment.unit}` : "";
+    const told = moment ? ` = ${text(value(moment.values))} ${moment.unit}` : "";
     const smaller = room.larger > 1.001 ? `, ${text(1 / room.larger, 2)} : 1` : "";
-    says(figure, `φ = ${text(where.at, 4)}°${told}${smaller}`);
+    says(figure, `φ = ${text(where.at, 4)}°${moment ? ", " : ""}`, moment ? moment.sign : "", told + smaller);
   };
 }

@@ -282,7 +282,7 @@ function readings() {
     const table = element("table");
     for (const one of columns) {
       const number = element("td", { "data-now": one.key });
-      table.append(element("tr", { "data-q": one.key }, element("th", { scope: "row" }, one.sign), number, element("td", {}, one.unit)));
+      table.append(element("tr", { "data-q": one.key }, element("th", { scope: "row" }, ...signed(one.sign)), number, element("td", {}, one.unit)));
       lines.push([number, one.values]);
     }
     if (columns.length) all.append(table);

@@ -28,6 +28,12 @@ function say(one, said) {
   if (one.firstChild.data !== said) one.firstChild.data = said;
 }
 
+// A symbol as the note has it: M_bal with its index below.
+function signed(sign) {
+  const [base, ...below] = sign.split("_");
+  return [element("i", {}, base), ...(below.length ? [element("sub", {}, below.join(", "))] : [])];
+}
+
 const text = (x, digits = 5) => {
   if (x === null || x === undefined) return "–";
   return Number(x.toPrecision(digits)).toString().replace("-", "\u2212").replace(".", known.decimal);

@@ -15,8 +15,6 @@ from exhaustive import many
 from test_living_data import ORDERED, data, page
 from test_living_page import number, opened, run
 
-CAMS = {"cam_press"}  # what replaces their pairs is of one position
-
 
 def vector(found, key):
     x, y = (np.array(one, float) for one in found["cycle"]["vectors"][key])
@@ -54,7 +52,7 @@ def levers(found):
     return {anchor: one for anchor, one in found.get("loads", {}).items() if "sides" in one}
 
 
-@pytest.mark.parametrize("name", many([n for n in ORDERED if n not in CAMS], 3))
+@pytest.mark.parametrize("name", many(ORDERED, 3))
 def test_what_a_scheme_shows_is_in_equilibrium_in_every_position(name):
     """Forces and their moments about the origin, with the couples: to the digits that are sent."""
     found = data(name)
@@ -72,7 +70,7 @@ def test_what_a_scheme_shows_is_in_equilibrium_in_every_position(name):
         assert np.nanmax(np.abs(moment)) < 2e-3 * largest * arms, anchor
 
 
-@pytest.mark.parametrize("name", many([n for n in ORDERED if n not in CAMS], 3))
+@pytest.mark.parametrize("name", many(ORDERED, 3))
 def test_the_lever_is_in_equilibrium_about_its_pole_in_every_position(name):
     """Zhukovsky's theorem: forces in the ends of the turned velocities, the balancing force with them."""
     found = data(name)
@@ -92,6 +90,21 @@ def test_the_lever_is_in_equilibrium_about_its_pole_in_every_position(name):
         )  # against the rotation
         largest = max(float(np.nanmax(np.abs(one))) for one in moments)
         assert np.nanmax(np.abs(sum(moments))) < 2e-3 * largest, anchor
+
+
+@pytest.mark.parametrize("name", ["cam_press"])
+def test_what_replaces_a_cam_pair_lies_along_its_force(name):
+    """From the centre of curvature to where the follower is met: a link without mass between two joints."""
+    found, checked = data(name), 0
+    for scheme in schemes(found).values():
+        for (xs, ys), met, _ in scheme["rods"]:
+            along = acts_at(found, met) - (np.array(xs, float) + 1j * np.array(ys, float))
+            key = next(key for key, *_ in scheme["forces"] if re.fullmatch(r"R_.*k", key))
+            force = vector(found, key)
+            there = np.abs(force) > 1e-3 * np.nanmax(np.abs(force))
+            assert np.nanmax(np.abs((along.conj() * force).imag / np.abs(along * force))[there]) < 5e-3
+            checked += there.sum()
+    assert checked > 20
 
 
 def test_most_schemes_of_a_note_move():
@@ -123,7 +136,8 @@ LOADS = """
     const live = figure.querySelector('.loads');
     const moved = shape();
     const one = {
-      anchor, at, hidden: getComputedStyle(note).visibility, told: figure.querySelector('.over').textContent, out: out(figure, live),
+      anchor, at, hidden: getComputedStyle(note).visibility, out: out(figure, live),
+      told: figure.querySelector('.over').textContent,
       arrows: [...live.querySelectorAll('g[data-q]')].filter(g => g.style.display !== 'none').map(
         g => [g.dataset.q, g.firstChild.getAttribute('d'), g.lastChild.getAttribute('d')]),
       points: [...live.querySelectorAll('circle[data-point]')].map(
@@ -189,5 +203,5 @@ def test_the_balancing_moment_goes_with_its_schemes():
     ]
     assert len(told) == 2
     for at, text in told:
-        shown = number(re.search(r"= ([−\d,.]+) Н·м", text)[1])
+        shown = number(re.search(r"M.* = ([−\d,.]+) Н·м", text)[1])
         assert shown == pytest.approx(column["values"][at], rel=1e-4)

@@ -1,5 +1,5 @@
-"""The mechanism plays at 60 frames a second, by Chromium's own trace: what a frame costs the main thread, ms of CPU, which
-other processes of the machine hardly change."""
+"""The mechanism plays at 60 frames a second, by Chromium's own trace: what a frame costs the main thread, ms of CPU,
+which other processes of the machine hardly change."""
 
 from __future__ import annotations
 

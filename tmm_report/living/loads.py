@@ -52,6 +52,9 @@ class Loads:
         self.cycle, self.view, self.found = cycle, view, found
         self.known, self.at = dict(cycle.vectors), dict(at)
         self.moment, self.couples = loads.BALANCING_MOMENT.key, self._couples()
+        # the links that replace cam pairs, and the points of which only they and the cams have a place
+        self.replacing = {cam.name: cam for cam in view.mechanism.cams}
+        self.centres = {cam.centre: cam for cam in view.mechanism.cams}
         self.guides = dict(self._guides())
         self._gear()
         self.vectors: dict[str, Array] = {}
@@ -103,14 +106,14 @@ class Loads:
 
     def _scheme(self, acts: Acts) -> dict[str, Any] | None:
         """None where a force or its place, or the moment of a couple, is not known in every position."""
-        mechanism = self.view.mechanism
-        if mechanism.cams or any(link not in mechanism.links for link in acts.links):
+        links = self.view.mechanism.links.keys()
+        if not set(acts.links) <= links | self.replacing.keys():
             return None
         forces: dict[str, list[Any]] = {}
         moved = set()  # couples for which a force stands aside
         for one in (*acts.forces, *self._nil(acts)):
             key = one.key if one.key in self.known else PART.sub("", one.key)
-            place = self._place(one, key, acts)
+            place = self._place(key)
             if key not in self.known or place is None:
                 return None
             if (aside := self._aside(one, acts)) is not None:
@@ -118,17 +121,26 @@ class Loads:
                 moved.add(aside.couple)
             whole = one.letter if key == one.key else _whole(one.letter)
             forces[key] = [key, place, letter(whole), COLOURS[one.colour]]
+        rods = [self._rod(link) for link in acts.links if link in self.replacing]
         turning = [*acts.couples, *self._nil_couples(acts, moved), *self._of_guides(acts)]
-        if any(one.key not in self.couples for one in turning):
+        if any(one.key not in self.couples for one in turning) or any(met is None for _, met, _ in rods):
             return None
         self.vectors |= {key: self.known[key] for key in forces}
         self.turning |= {one.key: self.couples[one.key] for one in turning}
         return {
             "by": round(self.view.motion.mu / acts.scale, 6),
-            "links": list(acts.links),
+            "links": [link for link in acts.links if link in links],
+            "rods": rods,
             "forces": list(forces.values()),
             "couples": [[one.key, self._spot(one, acts), letter(one.letter)] for one in turning],
         }
+
+    def _rod(self, link: str) -> list[Any]:
+        """Of a link that replaces a cam pair the places of the centre of curvature, where the follower is met, and the
+        letter of the centre."""
+        cam = self.replacing[link]
+        centre, met = self._at(cam.centre), self._place(loads.reaction(link, cam.follower).key)
+        return [[places(centre.real, 2), places(centre.imag, 2)], met, [cam.centre[0], cam.centre[1:]]]
 
     def _nil(self, acts: Acts) -> Iterator[Acting]:
         """Loads on the links that are nothing in the position of the scheme, and something elsewhere."""
@@ -183,8 +195,9 @@ class Loads:
         centre = self.view.mechanism.links[link].mass_centre if link in self.view.mechanism.links else None
         return "" if centre is None else str(centre)
 
-    def _place(self, one: Acting, key: str, acts: Acts) -> Any:
-        """A point, the key of the force that acts in the same places, or places of its own, mm of the mechanism."""
+    def _place(self, key: str) -> Any:
+        """Where a force acts: a point, the key of the force that acts in the same places, or places of its own, mm of
+        the mechanism."""
         if key in self.at:
             at = self.at[key]
             return at if isinstance(at, str) or key == GEAR.key else ["", key]
@@ -209,8 +222,13 @@ class Loads:
         return _Aside(couple, centre + shift)
 
     def _at(self, point: str) -> Array:
-        """Places of a point, mm of the mechanism."""
-        return self.view.motion.at(*self._carried(point))
+        """Places of a point, mm of the mechanism; of a centre of curvature where it is on the sheet."""
+        if (cam := self.centres.get(point)) is None:
+            return self.view.motion.at(*self._carried(point))
+        k = self.cycle.kinematics
+        both = (np.broadcast_to(m.place(point), m.shape) for m in (k.table, k.diagram))
+        found = self.cycle.merged(*both) / self.view.motion.mu
+        return np.where(np.abs(found - self._at(cam.point)) <= REACH, found, np.nan)
 
     def _carried(self, point: str) -> tuple[str, complex]:
         link = self.view.mechanism.links_at(point)[0]
@@ -219,7 +237,7 @@ class Loads:
     def _spot(self, one: Acting, acts: Acts) -> list[Any]:
         """Link that carries the place of a couple, and the place in its axes, mm of the mechanism."""
         at = one.at * acts.scale / self.view.motion.mu
-        link = one.on or acts.links[0]
+        link = one.on or next(name for name in acts.links if name not in self.replacing)
         if link == FRAME:
             return [FRAME, round(at.real, 3), round(at.imag, 3)]
         k = int(self.cycle.numbered[acts.position])
@@ -239,11 +257,8 @@ class Loads:
     # ------------------------------------------------------------ the lever
 
     def _lever(self, acts: Acts) -> dict[str, Any] | None:
-        if self.view.mechanism.cams:
-            return None
-        points = [
-            p for p in self.view.mechanism.point_names if f"v_{p}" in acts.sides and f"v_{p}" in self.known
-        ]
+        every = (*self.view.mechanism.point_names, *sorted(self.centres))
+        points = [p for p in every if f"v_{p}" in acts.sides and f"v_{p}" in self.known]
         fixed = self.view.mechanism.links[FRAME].points
         forces, vectors = [], {}
         for one in (*acts.forces, *self._nil(acts), *self._nil_pairs(acts, points)):
@@ -254,7 +269,8 @@ class Loads:
             vectors[one.key] = vector
             ends = [p if p in points else "" for p in ((one.on, one.pair) if one.pair else (one.on,))]
             forces.append([one.key, ends, letter(one.letter), COLOURS[one.colour]])
-        self.vectors |= vectors | {f"v_{p}": self.known[f"v_{p}"] for p in points}
+        there = {p: np.isfinite(self._at(p)) for p in points}
+        self.vectors |= vectors | {f"v_{p}": np.where(there[p], self.known[f"v_{p}"], np.nan) for p in points}
         sides = [side for key in acts.sides if (side := _side(key, points)) is not None]
         turn = acts.turn / acts.scale
         return {"turn": [turn.real, turn.imag], "points": points, "sides": sides, "forces": forces}
@@ -280,7 +296,10 @@ class Loads:
         if one.key == lever_quantities.LEVER_FORCE.key and self.moment in self.couples:
             pivot = self.found.kinematics.linkage.structure.driver_pair.name
             along = self._way(pivot, one.on)
-            return 1j * along / np.abs(along) ** 2 * self.couples[self.moment]
+            with np.errstate(
+                divide="ignore", invalid="ignore"
+            ):  # a cam at rest is round: its centre is the pivot
+                return 1j * along / np.abs(along) ** 2 * self.couples[self.moment]
         return None
 
     def _way(self, start: str, end: str) -> Array:
