@@ -22,7 +22,6 @@ from tmm_report.terminal import (
     ended,
     for_one_command,
     lost,
-    see_alone,
 )
 
 app = typer.Typer(
@@ -133,25 +132,17 @@ def solve(
         if watched:
             from tmm_report.commands import watch
 
-            see_alone(watched, {"--all": all_, "--pdf": bool(pdf), "--print": print_})
             watch.run(
-                variant, output, formats or watch.FORMATS, lang, console, depth=depth, open_note=open_note
-            )
+                variant, output, formats or watch.FORMATS, lang, console,
+                depth=depth, combinations_too=all_, pdf=pdf, print_it=print_, open_note=open_note,
+            )  # fmt: skip
             return
         from tmm_report.commands.solve import run
 
         done = run(
-            variant,
-            output,
-            formats or "html,tex",
-            lang,
-            console,
-            depth=depth,
-            combinations_too=all_,
-            pdf=pdf,
-            print_it=print_,
-            open_note=open_note,
-        )
+            variant, output, formats or "html,tex", lang, console,
+            depth=depth, combinations_too=all_, pdf=pdf, print_it=print_, open_note=open_note,
+        )  # fmt: skip
     ended(done)
 
 

@@ -9,7 +9,7 @@ import re
 import sys
 import threading
 import unicodedata
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
@@ -28,13 +28,6 @@ if TYPE_CHECKING:
 def ended(done: bool) -> None:
     if not done:
         raise typer.Exit(1)
-
-
-def see_alone(asked: bool, others: Mapping[str, bool]) -> None:
-    """See that --watch stands without what takes longer than a round of it. Raises ProblemError."""
-    if asked and (beside := ", ".join(name for name, given in others.items() if given)):
-        text = N_("--watch: without %(words)s; solve once more with it when the variant is right")
-        raise ProblemError([Problem(Message(text, {"words": beside}))])
 
 
 @contextmanager
@@ -242,14 +235,25 @@ def _speaking(context: Any, say: Callable[[str], str]) -> Any:
 
     class Formatter(context.formatter_class):  # type: ignore[misc]
         def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
-            super().write_usage(prog, args, prefix or f"{say('Usage:')} ")
+            super().write_usage(prog, _placeholders(args, say), prefix or f"{say('Usage:')} ")
 
         def write_dl(self, rows: Sequence[tuple[str, str]], *more: Any, **named: Any) -> None:
-            super().write_dl([(name, say(text)) for name, text in rows], *more, **named)
+            told = [(_placeholders(name, say), say(text)) for name, text in rows]
+            super().write_dl(told, *more, **named)
 
     return type(context.__name__, (context,), {"formatter_class": Formatter})
 
 
+def _placeholders(text: str, say: Callable[[str], str]) -> str:
+    """What stands for a value in the help: <path> and others."""
+    for one in PLACEHOLDERS:
+        text = text.replace(one, say(one))
+    return text
+
+
+PLACEHOLDERS = (
+    N_("[OPTIONS]"), N_("COMMAND [ARGS]..."), N_("<path>"), N_("<str>"), N_("<list[str]>"), N_("<int>"), N_("<float>"),
+)  # fmt: skip
 _HINT, _ERROR = N_("Try '%(a)s' for help."), N_("Error: %(a)s")
 _TOLD = (  # what typer says of a wrong command line, for which it asks no gettext; the first that fits
     N_("No such option: %(a)s (Possible options: %(b)s)"),
@@ -283,7 +287,7 @@ def _in_language(mistake: Any, say: Callable[[str], str], write: Callable[[str],
 
 def _show(error: Any, say: Callable[[str], str], write: Callable[[str], None], file: Any = None) -> None:
     if error.ctx is not None:
-        usage = error.ctx.get_usage()
+        usage = _placeholders(error.ctx.get_usage(), say)
         write(usage.replace("Usage:", say("Usage:"), 1))
         write(f"{say(_HINT) % {'a': f'{error.ctx.command_path} --help'}}\n")
     write(say(_ERROR) % {"a": _retold(error.format_message(), say)})

@@ -82,6 +82,19 @@ def test_a_block_is_a_kind_and_what_is_neither_is_told():
     assert done.exit_code == 2 and "unknown levr" in done.output and "flywheel" in done.output
 
 
+RUSSIAN = {"рычаг": "lever", "Рычажный": "lever", "кулачок": "cam", "привод": "drive", "Маховик": "flywheel"}
+
+
+@pytest.mark.parametrize("word", [*RUSSIAN, "регулятор"])
+def test_a_kind_is_taken_in_russian(word, tmp_path):
+    kind = RUSSIAN.get(word, "governor")
+    assert listed("--kind", word) == listed("--kind", kind) != {}
+    if kind in KINDS:
+        run("new", tmp_path / "a.yaml", "--kind", word, "--lang", "ru")
+        run("new", tmp_path / "b.yaml", "--kind", kind, "--lang", "ru")
+        assert (tmp_path / "a.yaml").read_text("utf-8") == (tmp_path / "b.yaml").read_text("utf-8")
+
+
 @pytest.mark.parametrize("name", ["../compressor", "shapr", "x\x1b[2J", "", "/etc/passwd"])
 @pytest.mark.parametrize("command", [["examples"], ["new", "my.yaml", "--like"]])
 def test_only_ready_variants_have_names(command, name, tmp_path, monkeypatch):

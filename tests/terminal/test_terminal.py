@@ -14,9 +14,13 @@ from notes import NAMES, VARIANTS
 from typer.testing import CliRunner
 
 from tmm_report.cli import app
+from tmm_report.commands.sentences import printed
+from tmm_report.commands.solve import summary
 from tmm_report.commands.talk import in_columns
 from tmm_report.i18n import Translator
 from tmm_report.interactive.brief import rows
+from tmm_report.languages import SIGNS
+from tmm_report.problems import Message
 from tmm_report.results import tables, values
 from tmm_report.terminal import Console
 
@@ -102,6 +106,7 @@ def test_help_is_in_the_language_of_the_system():
         told = [line for line in re.findall(r" {2,}(\S.*)$", text, re.M) if not line.startswith(("-", "<"))]
         foreign = [line for line in told if len(re.findall(r"\b[a-z]{3,} [a-z]{3,} [a-z]{3,}\b", line))]
         assert foreign == [], arguments
+        assert not re.search(r"OPTIONS|COMMAND|<[a-z]", text), text
         assert not re.search("[а-я]", english)
     assert "Команды 'nope' нет" in run("nope", **russian).output
 
@@ -201,6 +206,51 @@ def test_every_ready_variant_says_something_first(name):
     assert 1 <= len(found) <= 20
     assert len({meaning for meaning, *_ in found}) == len(found)
     assert not [one for one in found if re.search(r"\b(pair|bal|max|min)\b", f"{one[0]} {one[1]}")]
+
+
+SAID = [
+    "compressor", "shaper_synthesis", "governor_spring", "hoist_differential", "valve_cam", "rotor",
+    "forging_machine_wear",
+]  # fmt: skip
+
+
+def sentences(name: str, tr: Translator) -> list[str]:
+    heard: list[str] = []
+
+    class Hears:
+        def tell(self, line):
+            heard.append(str(line) if isinstance(line, str) else line.render(tr.gettext))
+
+        warn = tell
+
+    summary(solved(name), tr, Hears())
+    return [line for line in heard if "→" not in line]  # the formula of the structure has no numbers
+
+
+@pytest.mark.parametrize("name", SAID)
+@pytest.mark.parametrize("sign", ["comma", "point"])
+def test_sentences_have_the_numbers_of_their_language(name, sign):
+    """The other way: the same numbers in the same order as in English, each read by its own sign."""
+    number = re.compile(r"(?<![\w.,])[-−]?\d+(?:[.,]\d+)?(?:e[+-]\d+)?(?![\w])")
+
+    def read(lines: list[str], decimal: str) -> list[float]:
+        found = [text for line in lines for text in number.findall(line)]
+        other = {",": ".", ".": ","}[decimal]
+        assert not [text for text in found if other in text or text.startswith("-")]
+        return [float(text.replace(decimal, ".").replace("−", "-")) for text in found]
+
+    russian = sentences(name, Translator("ru", sign))
+    assert read(russian, SIGNS[sign]) == read(sentences(name, Translator("en")), ".")
+    assert not re.search(r"\d (mm|m|N|kN|rad|rpm|N/mm|kg)\b", " ".join(russian))
+
+
+def test_names_in_sentences_are_left_as_they_are():
+    said = Message(
+        "%(name)s: %(eta)s; %(x)s", {"name": "jig 2.5 mm", "eta": "-0.5", "x": "a = 1.5e-05 mm, b = 2"}
+    )
+    assert printed(said, Translator("ru")).values == {
+        "name": "jig 2.5 mm", "eta": "−0,5", "x": "a = 1,5e-05 мм, b = 2",
+    }  # fmt: skip
 
 
 def test_letters_of_the_table_are_those_of_the_note():

@@ -125,15 +125,50 @@ def test_a_round_of_the_shaper_is_short(tmp_path):
     (tmp_path / "my.yaml").write_text(SHAPER, encoding="utf-8")
     took = []
 
-    def solved() -> None:
-        watch.solve.run(tmp_path / "my.yaml", tmp_path / "o", watch.FORMATS, None, Heard())
+    live = watch.Live(tmp_path / "o")
 
-    for number in range(4):
+    def solved() -> None:
+        watch.solve.run(tmp_path / "my.yaml", tmp_path / "o", watch.FORMATS, None, Heard(), shown=live.show)
+
+    for _ in range(4):
         began = time.process_time()
         watch._settled(tmp_path / "my.yaml")
-        watch._round(solved, tmp_path / "o", number, None, Heard())
+        watch._round(solved, live, None, Heard())
         took.append(time.process_time() - began + watch.PAUSE + watch.SETTLED)
     assert min(took[1:]) < 0.7
+
+
+def test_what_takes_longer_is_made_behind_the_page(tmp_path, monkeypatch):
+    """The page shows the note before another format is begun; a save in between ends the round there."""
+    (tmp_path / "my.yaml").write_text(SHAPER, encoding="utf-8")
+    folder, begun, saves = tmp_path / "o", [], [OTHER]
+
+    def pause(seconds: float) -> None:
+        if seconds == watch.PAUSE:  # nothing is left to do
+            raise KeyboardInterrupt
+
+    def step(said) -> None:
+        text = str(said)
+        begun.append((text, (folder / watch.PAGE).exists()))
+        if "tex" in text and saves:
+            (tmp_path / "my.yaml").write_text(saves.pop(), encoding="utf-8")
+
+    talk = Heard()
+    talk.stage = step
+    monkeypatch.setattr(watch.time, "sleep", pause)
+    monkeypatch.setattr("tmm_report.commands.by_typst.typeset", lambda source: b"%PDF " + source[:0])
+    monkeypatch.setattr("tmm_report.commands.printing.print_pdf", lambda note: b"%PDF printed")
+    watch.run(
+        tmp_path / "my.yaml", folder, "tex,json", "en", talk,
+        pdf="typst", print_it=True, combinations_too=True,
+    )  # fmt: skip
+    ways = "writing html|writing tex"
+    round_ = f"{ways}|writing json|compiling the PDF|printing the note"
+    assert "|".join(text for text, _ in begun) == f"{ways}|{round_}"  # the first round ended at the save
+    assert [there for _, there in begun] == [False] + [True] * 6
+    left = {path.name for path in folder.iterdir()}
+    assert left >= {"note.html", "note.tex", "results.json", "note.pdf", "note-print.pdf"}
+    assert watch.PAGE not in left and b"70" in (folder / "note.tex").read_bytes()
 
 
 class Heard:
@@ -149,8 +184,8 @@ def test_what_no_saving_mends_is_told_at_once(tmp_path):
     assert run("solve", tmp_path / "none.yaml", "--watch").exit_code == 2
     (tmp_path / "my.yaml").write_text(SHAPER, encoding="utf-8")
     assert run("solve", tmp_path / "my.yaml", "--watch", "--format", "odt").exit_code == 2
-    done = run("solve", tmp_path / "my.yaml", "--watch", "--pdf", "--all")
-    assert done.exit_code == 2 and "--all, --pdf" in done.output
+    assert run("solve", tmp_path / "my.yaml", "--watch", "--depth", "deep").exit_code == 2
+    assert run("solve", tmp_path / "my.yaml", "--watch", "--pdf=word").exit_code == 2
     assert {path.name for path in tmp_path.iterdir()} == {"my.yaml"}
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +11,7 @@ from tmm_report.commands.talk import Talk, failure, unwritable, written
 from tmm_report.problems import N_, Message, Problem, ProblemError, shown
 from tmm_report.records import dataclass
 from tmm_report.resources import data_root
+from tmm_report.variant.russian import english_key
 from tmm_report.yamlread import read
 
 KINDS = {
@@ -78,12 +79,20 @@ def chosen(every: Sequence[Example], names: Sequence[str] = (), kind: str | None
     wanted = [named(every, name) for name in names] or every
     if kind is None:
         return list(wanted)
+    kind = kind_in_english(kind, (block for one in every for block in one.blocks))
     found = [one for one in wanted if one.is_a(kind)]
     if not found and not any(one.is_a(kind) for one in every):
         blocks = {block for one in every for block in one.blocks if "." not in block}
         known = ", ".join(dict.fromkeys([*KINDS, *sorted(blocks - {"title", "language", "mechanism"})]))
         raise failure(N_("--kind: unknown %(words)s; known: %(known)s"), words=shown(kind), known=known)
     return found
+
+
+def kind_in_english(word: str, every: Iterable[str]) -> str:
+    """A kind, or one of the blocks, for its Russian word: кулачок, маховик; what is none of them as it is."""
+    if word.casefold().startswith(("рычаг", "рычаж")):
+        return "lever"
+    return english_key(word, {*KINDS, *every}) or word
 
 
 def named(every: Sequence[Example], name: str) -> Example:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from tmm_report.commands.examples import KINDS, named, ready
+from tmm_report.commands.examples import KINDS, kind_in_english, named, ready
 from tmm_report.commands.talk import Talk, failure, reason, written
 from tmm_report.problems import N_, Message, shown
 from tmm_report.variant import new
@@ -30,6 +30,7 @@ def run(
     shall have in place of its own. Raises ProblemError."""
     if like is not None and kind is not None:
         raise failure(N_("--like and --kind: name one of them"))
+    kind = kind_in_english(kind, ()) if kind is not None else None
     if kind is not None and kind not in KINDS:
         raise failure(
             N_("--kind: unknown %(words)s; known: %(known)s"), words=shown(kind), known=", ".join(KINDS)

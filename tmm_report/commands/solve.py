@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from tmm_report import __version__
 from tmm_report import solve as solve_variant
 from tmm_report.commands.files import FORMATS, combinations, for_typst, render, translator
+from tmm_report.commands.sentences import printed
 from tmm_report.commands.talk import Talk, failure, in_columns, reason, unwritable, written
 from tmm_report.commands.whole import Put, put
 from tmm_report.course import DEPTHS, Depth, LeverFound, Results, doubts, sound
 from tmm_report.course import summary as in_short
+from tmm_report.i18n import Translator
 from tmm_report.interactive.brief import rows
 from tmm_report.loading import loads, stated
 from tmm_report.problems import N_, Message
@@ -51,11 +53,12 @@ def run(
     pdf: str | None = None,
     print_it: bool = False,
     open_note: bool = False,
+    shown: Callable[[bytes], None] | None = None,
 ) -> bool:
-    """Whether everything asked for was made and every check held. `pdf`: one of PROGRAMS. Raises ProblemError."""
-    wanted, deep = chosen(formats, open_note), depth_of(depth)
-    if pdf is not None and pdf not in PROGRAMS:
-        raise failure(N_("--pdf: unknown %(words)s; known: %(known)s"), words=pdf, known=f"{TEX}, {TYPST}")
+    """Whether everything asked for was made and every check held. `pdf`: one of PROGRAMS; `shown` is given the page as
+    soon as it is made, before what takes longer. Raises ProblemError."""
+    wanted, deep = chosen(formats, open_note or shown is not None), depth_of(depth)
+    see_known(pdf)
     folder = folder or usual_folder(variant)
     text, file = stated(variant)
     department = beside(variant)
@@ -64,14 +67,19 @@ def run(
     if deep:
         loaded = replace(loaded, note=replace(loaded.note, depth=deep))
     results = solve_variant(loaded)
-    files = _made(results, wanted, language, talk)
+    files = {}
+    if shown is not None:
+        files = _made(results, ["html"], language, talk)
+        shown(files["note.html"])
+    files |= _made(results, [fmt for fmt in wanted if fmt != "html" or shown is None], language, talk)
     if combinations_too:
         files |= combinations(results, language)
     no_pdf = _add_pdf(results, language, files, talk, pdf) if pdf else []
     no_pdf += _add_print(results, language, files, talk) if print_it else []
     changed = _put(folder, files, digest(__version__, text, department.told if department else b""))
-    good = summary(results, talk)
-    for row in in_columns(rows(results, translator(results.variant, language))):
+    tr = translator(results.variant, language)
+    good = summary(results, tr, talk)
+    for row in in_columns(rows(results, tr)):
         talk.tell(row)
     _control(files, folder, talk)
     talk.tell(written(*(folder / name for name in _shown(files))))
@@ -83,6 +91,12 @@ def run(
     if open_note:
         opened(folder / "note.html")
     return good and not no_pdf
+
+
+def see_known(pdf: str | None) -> None:
+    """See that a program that makes a PDF is one of PROGRAMS. Raises ProblemError."""
+    if pdf is not None and pdf not in PROGRAMS:
+        raise failure(N_("--pdf: unknown %(words)s; known: %(known)s"), words=pdf, known=f"{TEX}, {TYPST}")
 
 
 def depth_of(text: str | None) -> Depth | None:
@@ -220,46 +234,46 @@ def opened(note: Path) -> None:
 # ---------------------------------------------------------------- what was found
 
 
-def summary(results: Results, talk: Talk) -> bool:
-    """Tell what was found; whether every check held."""
+def summary(results: Results, tr: Translator, talk: Talk) -> bool:
+    """Tell what was found, its numbers as in `tr`; whether every check held."""
     for problem in doubts(results):
         talk.warn(locate(problem, results.variant))
-    good = _lever(results, results.lever, talk) if results.lever else True
+    good = _lever(results, results.lever, tr, talk) if results.lever else True
     for message in in_short(results):
-        talk.tell(message)
+        talk.tell(printed(message, tr))
     return good and sound(results)
 
 
-def _lever(results: Results, lever: LeverFound, talk: Talk) -> bool:
+def _lever(results: Results, lever: LeverFound, tr: Translator, talk: Talk) -> bool:
     """Tell what was found of the lever mechanism; whether every check held."""
     talk.tell(lever.structure.formula)
-    _differences(lever, talk)
+    _differences(lever, tr, talk)
     _no_plans(lever, talk)
     _gaps(lever, talk)
-    own = _own_numbers(results, talk)
+    own = _own_numbers(results, tr, talk)
     missed = lever.kinematics.missed
     if missed is not None:
         talk.warn(locate(missed, results.variant))
-    return _balance(lever, talk) and own and missed is None and not lever.partial
+    return _balance(lever, tr, talk) and own and missed is None and not lever.partial
 
 
-def _differences(lever: LeverFound, talk: Talk) -> None:
+def _differences(lever: LeverFound, tr: Translator, talk: Talk) -> None:
     """How far the drawn plans are from the exact solution."""
     plans, forces = lever.plans, lever.force_plans
     if not plans.drawn and not (forces and forces.drawn):
         return
     worst = max(plans.worst, forces.worst if forces else 0.0)
-    text = N_("largest difference of the graphical method: %(percent).3g %%")
-    talk.tell(Message(text, {"percent": worst}))
+    text = N_("largest difference of the graphical method: %(percent)s %%")
+    talk.tell(printed(Message(text, {"percent": f"{worst:.3g}"}), tr))
 
 
-def _own_numbers(results: Results, talk: Talk) -> bool:
+def _own_numbers(results: Results, tr: Translator, talk: Talk) -> bool:
     """How far a student's own numbers are from the exact solution, the wrong ones one by one; whether none is wrong."""
     found = results.lever.readings if results.lever else None
     if found is None:
         return True
-    text = N_("largest difference of the student's readings: %(percent).3g %%")
-    talk.tell(Message(text, {"percent": found.worst}))
+    text = N_("largest difference of the student's readings: %(percent)s %%")
+    talk.tell(printed(Message(text, {"percent": f"{found.worst:.3g}"}), tr))
     for one in found.wrong:
         talk.warn(locate(one.problem, results.variant))
     if found.unsigned:
@@ -293,15 +307,16 @@ def _gaps(lever: LeverFound, talk: Talk) -> None:
             talk.tell(gap.text)
 
 
-def _balance(lever: LeverFound, talk: Talk) -> bool:
+def _balance(lever: LeverFound, tr: Translator, talk: Talk) -> bool:
     """How well the ways to the balancing moment agree; whether they do."""
     forces = lever.kinetostatics
     if forces is None:
         return True
     text = N_(
-        "checks of the balancing moment, relative disagreement: lever %(lever).1e, power balance %(power).1e"
+        "checks of the balancing moment, relative disagreement: lever %(lever)s, power balance %(power)s"
     )
-    talk.tell(Message(text, {"lever": forces.worst_lever, "power": forces.worst_power}))
+    worst = {"lever": forces.worst_lever, "power": forces.worst_power}
+    talk.tell(printed(Message(text, {key: f"{one:.1e}" for key, one in worst.items()}), tr))
     if not forces.agrees:
         talk.warn(Message(N_("error: the checks of the balancing moment disagree by more than 1e-9")))
     elif forces.strained:

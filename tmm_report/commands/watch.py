@@ -39,27 +39,46 @@ def run(
     talk: Talk,
     *,
     depth: str | None = None,
+    combinations_too: bool = False,
+    pdf: str | None = None,
+    print_it: bool = False,
     open_note: bool = False,
 ) -> bool:
-    """Solve until Ctrl-C. Raises ProblemError for what no saving can mend: options, a file that is not there."""
+    """Solve until Ctrl-C. What else is asked for is made after the page is shown, at each round. Raises ProblemError
+    for what no saving can mend: options, a file that is not there."""
     solve.chosen(formats), solve.depth_of(depth), stated(variant)
+    solve.see_known(pdf)
     folder = folder or solve.usual_folder(variant)
-    names = formats if "html" in formats else f"{formats},html"
+    live = Live(folder)
+    seen: Stamp | None = None
+    hasty = _Hasty(talk, lambda: _stamps(variant) != seen)
 
     def solved() -> None:
-        solve.run(variant, folder, names, language, talk, depth=depth)
+        solve.run(
+            variant,
+            folder,
+            formats,
+            language,
+            hasty,
+            depth=depth,
+            combinations_too=combinations_too,
+            pdf=pdf,
+            print_it=print_it,
+            shown=live.show,
+        )
 
-    seen, number = None, 0
     try:
         while True:
             now = _settled(variant)
             if now[0] is None or now == seen:  # gone while an editor puts the new one in its place
                 time.sleep(PAUSE)
                 continue
-            seen, number = now, number + 1
-            _round(solved, folder, number, language, talk)
-            if open_note and number == 1:
+            seen = now
+            if not _round(solved, live, language, talk):
+                seen = None
+            if open_note and live.number:
                 solve.opened(folder / PAGE)
+                open_note = False
     except KeyboardInterrupt:
         talk.tell(Message(N_("no longer watching %(file)s"), {"file": variant}))
         return True
@@ -71,12 +90,15 @@ def run(
 
 def _settled(variant: Path) -> Stamp:
     """When the variant, and what its department states, was written, once they are written whole."""
-    files = [variant, *(variant.parent / name for name in (*NAMES, *TEMPLATES))]
     while True:
-        before = tuple(map(_stamp, files))
+        before = _stamps(variant)
         time.sleep(SETTLED)
-        if tuple(map(_stamp, files)) == before:
+        if _stamps(variant) == before:
             return before
+
+
+def _stamps(variant: Path) -> Stamp:
+    return tuple(map(_stamp, [variant, *(variant.parent / name for name in (*NAMES, *TEMPLATES))]))
 
 
 def _stamp(file: Path) -> tuple[int, int] | None:
@@ -87,24 +109,55 @@ def _stamp(file: Path) -> tuple[int, int] | None:
     return found.st_mtime_ns, found.st_size
 
 
-def _round(solved: Callable[[], None], folder: Path, number: int, language: str | None, talk: Talk) -> None:
-    """Solve once and write the page: the note, or the mistakes."""
+class Live:
+    """The page in its folder, and the number of the page that stands there."""
+
+    def __init__(self, folder: Path):
+        self.folder, self.number = folder, 0
+
+    def show(self, page: bytes) -> None:
+        """Raises ProblemError where it cannot be written."""
+        self.number += 1
+        files = {PAGE: live(page, self.number), ROUND: f"tmmReportRound({self.number});\n".encode()}
+        try:
+            write(self.folder, files)
+        except OSError as error:
+            raise unwritable(self.folder, error) from None
+
+
+class _Saved(Exception):
+    """The variant was saved while a round of it was going on: what is left of the round is of old numbers."""
+
+
+class _Hasty:
+    """The talk of a round that goes no further once the variant has changed."""
+
+    def __init__(self, talk: Talk, changed: Callable[[], bool]):
+        self.speak, self.tell, self.warn = talk.speak, talk.tell, talk.warn
+        self.talk, self.changed = talk, changed
+
+    def stage(self, doing: Message) -> None:
+        if self.changed():
+            raise _Saved
+        self.talk.stage(doing)
+
+
+def _round(solved: Callable[[], None], live: Live, language: str | None, talk: Talk) -> bool:
+    """Solve once, which shows the page: the note, or the mistakes in its place. Whether it came to its end."""
     began = time.perf_counter()
     try:
         solved()
-        page = (folder / "note.html").read_bytes()
+    except _Saved:
+        return False
     except ProblemError as error:
         said = language or error.language or DEFAULT
         talk.speak(said)
         for problem in error.problems:
             talk.warn(problem)
-        page = mistakes(error, said)
-    try:
-        write(folder, {PAGE: live(page, number), ROUND: f"tmmReportRound({number});\n".encode()})
-    except OSError as error:
-        raise unwritable(folder, error) from None
+        live.show(mistakes(error, said))
     text = N_("%(seconds)s s; %(page)s is up to date; waiting for the file to be saved, Ctrl-C ends")
-    talk.tell(Message(text, {"seconds": f"{time.perf_counter() - began:.2f}", "page": folder / PAGE}))
+    talk.tell(Message(text, {"seconds": f"{time.perf_counter() - began:.2f}", "page": live.folder / PAGE}))
+    return True
 
 
 def mistakes(error: ProblemError, language: str) -> bytes:

@@ -74,6 +74,14 @@ def test_every_word_of_the_format_has_its_twin():
     assert enumerated(loading.schema()) - russian.words() - set(LANGUAGES) == set()
 
 
+def test_every_word_is_understood_as_it_may_be_typed():
+    """Names of people and of standards have capitals; ё is often left without its dots."""
+    for word, twins in russian._TWINS.items():
+        for twin in twins.split(", "):
+            for typed in (twin, twin.upper(), twin.capitalize(), twin.replace("ё", "е")):
+                assert russian.english(typed, [word]) == word
+
+
 def keys_of(schema):
     """Every key that the schema knows by name."""
     found = set()

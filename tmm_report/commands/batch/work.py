@@ -15,7 +15,7 @@ from pathlib import Path
 
 from tmm_report.commands.batch import record
 from tmm_report.commands.batch.inputs import Task
-from tmm_report.commands.files import render
+from tmm_report.commands.files import render, translator
 from tmm_report.commands.solve import summary
 from tmm_report.course import Results, Variant
 from tmm_report.loading import loads
@@ -97,7 +97,7 @@ def _written(
     for fmt in formats:
         files |= render(results, fmt, language)
     heard = _Heard()
-    good = summary(results, heard)
+    good = summary(results, translator(results.variant, language), heard)
     _place(output, task.id, files)
     return record.finished(task, results, heard.warned, good, files)
 

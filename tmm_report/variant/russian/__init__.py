@@ -9,6 +9,12 @@ from collections.abc import Collection
 
 from tmm_report.variant.russian.keys import MORE
 
+
+def _plain(text: str) -> str:
+    """As words are compared: no capitals, and ё as it is often typed."""
+    return " ".join(text.casefold().replace("_", " ").replace("ё", "е").split())
+
+
 _TWINS: dict[str, str] = {
     "AC generator": "генератор переменного тока",
     "DC generator": "генератор постоянного тока",
@@ -34,7 +40,7 @@ _TWINS: dict[str, str] = {
     "centre": "по центру",
     "chain": "цепь, цепная",
     "chebyshev": "чебышев, чебышёв",
-    "clockwise": "по часовой стрелке, по часовой",
+    "clockwise": "по часовой стрелке, по часовой, по ходу часовой стрелки",
     "closed form": "в конечном виде",
     "comma": "запятая",
     "constraints": "уравнения связей",
@@ -42,7 +48,7 @@ _TWINS: dict[str, str] = {
     "constraints dop853": "уравнения связей dop853",
     "cosine": "косинусоидальный",
     "decreasing": "убывающий, линейно убывающий",
-    "counter-clockwise": "против часовой стрелки, против часовой",
+    "counter-clockwise": "против часовой стрелки, против часовой, против хода часовой стрелки",
     "couples": "пары",
     "course": "обычная, курсовая",
     "crossed": "перекрёстный, перекрёстная, перекрестный, перекрестная",
@@ -174,7 +180,7 @@ _TWINS: dict[str, str] = {
 _ENGLISH: dict[str, set[str]] = {}
 for _word, _twins in _TWINS.items():
     for _twin in _twins.split(", "):
-        _ENGLISH.setdefault(_twin, set()).add(_word)
+        _ENGLISH.setdefault(_plain(_twin), set()).add(_word)
 
 _KEYS = {
     "mechanism": "механизм",
@@ -259,11 +265,7 @@ _KEYS |= dict(line.split(": ") for line in MORE.strip().splitlines())
 _KEY: dict[str, set[str]] = {}
 for _word, _twins in _KEYS.items():
     for _twin in _twins.split(", "):
-        _KEY.setdefault(_twin, set()).add(_word)
-
-
-def _plain(text: str) -> str:
-    return " ".join(text.casefold().replace("_", " ").split())
+        _KEY.setdefault(_plain(_twin), set()).add(_word)
 
 
 def english(value: object, words: Collection[str]) -> object:
