@@ -1,13 +1,15 @@
-"""Notes as pdflatex sets them, the log and the PDF; and as Typst does, the PDF."""
+"""Notes as pdflatex sets them, the log and the PDF; and as Typst and LibreOffice do, the PDF."""
 
 from __future__ import annotations
 
 import os
 import re
+import shutil
 import subprocess
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import pytest
 from notes import absent, note, program
 from once import once
 
@@ -45,6 +47,19 @@ def set_by_tex(files: dict[str, bytes], whole: bool = False) -> tuple[str, bytes
 def by_typst(name: str, language: str) -> bytes:
     """The PDF."""
     return set_by_typst(note(name, "typst", language)["note.typst"])
+
+
+def set_by_libreoffice(file: bytes) -> bytes:
+    """The PDF of a file of Word, where LibreOffice is installed: it is large, and CI goes without."""
+    office = shutil.which("soffice") or shutil.which("libreoffice")
+    if office is None:
+        pytest.skip("LibreOffice is not installed")
+    with TemporaryDirectory() as place:
+        note = Path(place, "note.docx")
+        note.write_bytes(file)
+        command = [office, "--headless", f"-env:UserInstallation=file://{place}/own", "--convert-to", "pdf"]
+        subprocess.run([*command, "--outdir", place, str(note)], capture_output=True, timeout=300, check=True)
+        return note.with_suffix(".pdf").read_bytes()
 
 
 def set_by_typst(source: bytes) -> bytes:

@@ -13,7 +13,15 @@ SECTIONS = "tmm_report/report/word/sections.py"
 PACKAGE = "tmm_report/report/word/package.py"
 DRAWN = "tmm_report/figures/emf.py"
 MACROS = "templates/macros.docx.j2"
+FRAMED = "tmm_report/report/word/frames.py"
 FAULTS = (
+    Fault("word: frames in the middle of their line's thickness", FRAMED, "EMU * (one - THICK.width / 2)", "EMU * one",
+          tests=DOCX),
+    Fault("word: sheets of all sizes have the frame of A4", FRAMED, 'papers = {name: ("following", size)',
+          'papers = {name: ("following", A4)', tests=DOCX),
+    Fault("word: the block of the first sheet on those after it", FRAMED, '"": ("following", A4)}',
+          '"": ("first", A4)}', tests=DOCX),
+    Fault("word: the larger block on no sheet", SECTIONS, 'kind == "opening" and', 'kind == "closing" and', tests=DOCX),
     Fault("word: fractions upside down", FORMULAS, "num=above, den=below", "num=below, den=above", tests=NOTATION),
     Fault("word: a negative number loses its sign", FORMULAS, "self.negative(text) if parts.negative else text", "text",
           tests=NOTATION),

@@ -1,4 +1,5 @@
-"""Frames and title blocks of GOST 2.104 on the pages of a note, measured as the browser, LaTeX and Typst print them."""
+"""Frames and title blocks of GOST 2.104 on the pages of a note, measured as the browser, LaTeX, Typst and LibreOffice
+print them."""
 
 from __future__ import annotations
 
@@ -15,7 +16,7 @@ from browser import browser, opened
 from conftest import solved
 from notes import program
 from pdf_words import POINT, Page, Word
-from typesetting import set_by_tex, set_by_typst
+from typesetting import set_by_libreoffice, set_by_tex, set_by_typst
 
 from tmm_report import render
 from tmm_report.commands.files import for_typst
@@ -28,7 +29,7 @@ NAME = "crank_rocker"
 FRAMED = stated(
     "gost", {"frames": True, "margins": {"left": "37 mm", "right": "21 mm"}, "text": {"size": 16}}
 )
-FORMATS = ["html", "typst", pytest.param("tex", marks=pytest.mark.exhaustive)]
+FORMATS = ["html", "typst", *(pytest.param(fmt, marks=pytest.mark.exhaustive) for fmt in ("tex", "docx"))]
 DOTS = 10  # a millimetre
 CODE = "ТММ.05.12.000 ПЗ"
 # GOST 2.104-2006, forms 2 and 2a, mm from the lower left corner of the block: x, y, to x, to y
@@ -63,6 +64,8 @@ def printed(fmt: str) -> bytes:
         return set_by_tex(note("tex"), whole=True)[1]
     if fmt == "typst":
         return set_by_typst(note("typst")["note.typst"])
+    if fmt == "docx":
+        return set_by_libreoffice(note("docx")["note.docx"])
     with TemporaryDirectory(ignore_cleanup_errors=True) as place, browser(Path(place)) as talk:
         return opened(talk, Path(place), "framed", note("html")["note.html"], print_it=True).pdf
 
@@ -136,7 +139,7 @@ def test_each_page_has_its_frame_and_its_form(fmt):
     assert not drawn(ink(fmt, 1), (20, 20, 205, 20)) and not drawn(ink(fmt, 3), (20, 45, 205, 45))
 
 
-@pytest.mark.parametrize("fmt", FORMATS)
+@pytest.mark.parametrize("fmt", FORMATS[:-1])
 def test_the_numbers_stand_in_the_blocks(fmt):
     found = pages(fmt)
     assert within(found[1][2], 170, 20, 185, 25.5) == ["2"]
@@ -170,7 +173,35 @@ def sideways(word: Word) -> bool:
     return len(word.text) > 5 and word.above - word.below > word.right - word.left
 
 
-@pytest.mark.parametrize("fmt", FORMATS)
+def in_the_middle(words: list[Word], left: float, below: float, right: float, above: float) -> list[str]:
+    """Of a cell, 0.5 mm above or below at most: LibreOffice tells boxes a third higher than the letters."""
+    middle = (below + above) / 2
+    inside = (one for one in words if left <= one.left and one.right <= right)
+    return [one.text for one in inside if abs((one.below + one.above) / 2 - middle) < 0.5]
+
+
+@pytest.mark.exhaustive
+def test_word_counts_the_sheets_in_the_blocks():
+    found = pages("docx")
+    assert in_the_middle(found[1][2], 170, 20, 185, 25) == ["2"]
+    assert in_the_middle(found[1][2], 185, 20, 205, 25) == [str(len(found))]
+    for k, (wide, _, own) in enumerate(found[2:], 3):
+        assert in_the_middle(own, wide - 15, 5, wide - 5, 13) == [str(k)]
+    assert len(found) > 20 and len(within(found[2][2], 37, 30, 189, 282)) > 5
+
+
+@pytest.mark.exhaustive
+def test_word_lays_a_page_with_its_frame_and_its_form_on_its_side():
+    """A page of its own for each figure; larger sheets, too."""
+    sizes = {(round(wide), round(tall)): k for k, (wide, tall, _) in enumerate(pages("docx"), 1)}
+    assert {(210, 297), (297, 210)} <= set(sizes)
+    for (wide, tall), number in sizes.items():
+        lines = [*frame(wide, tall), *on_page(BLOCKS["next"], wide)]
+        dark = ink("docx", number)
+        assert not [line for line in lines if not drawn(dark, line)], (wide, tall)
+
+
+@pytest.mark.parametrize("fmt", FORMATS[:-1])
 def test_a_page_with_a_figure_sideways_has_its_frame_and_its_form(fmt):
     number = next(k for k, page in enumerate(pages(fmt), 1) if any(map(sideways, page[2])))
     dark = ink(fmt, number)

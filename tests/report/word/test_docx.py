@@ -23,7 +23,8 @@ from payloads import PAYLOADS
 from tmm_report import render as of_depth
 from tmm_report.chapters.title.given import Assignment, Signer, Title
 from tmm_report.profiles import NAMES as PROFILES
-from tmm_report.profiles import shipped
+from tmm_report.profiles import shipped, stated
+from tmm_report.report.formats.docx import TWIPS
 
 OWN = {
     "field": '" \\* MERGEFORMAT } { INCLUDETEXT "C:\\\\x" } DDEAUTO c:\\windows\\system32\\cmd.exe',
@@ -305,6 +306,39 @@ def test_its_pages_are_those_of_its_profile():
         assert b" PAGE " in parts[f"word/{shown}.xml"] and b" PAGE " not in parts[f"word/{empty}.xml"]
         title = next(one for one in root.iter(f"{W}sectPr"))
         assert title.find(f"{W}headerReference").get(f"{R}id") == "titleheader"
+
+
+def test_frames_are_named_led_to_and_stand_at_their_places():
+    """Of all sheets: the header that a section names, its picture from edge to edge of the frame, the fields in it."""
+    results = solved("crank_rocker")
+    profile = stated("gost", {"frames": True, "margins": {"left": "37 mm"}, "text": {"size": 16}})
+    framed = replace(results, variant=replace(results.variant, profile=profile))
+    files = parts_of(of_depth(framed, "docx", "ru", "course")["note.docx"])
+    led = {one.get("Id"): one.get("Target") for one in fromstring(files["word/_rels/document.xml.rels"])}
+    sections = list(fromstring(files["word/document.xml"]).iter(f"{W}sectPr"))
+    opening = [one for one in sections if one.find(f"{W}titlePg") is not None]
+    assert len(opening) == 1 and opening[0] is sections[1]
+    seen = set()
+    for section in sections:
+        paper = section.find(f"{W}pgSz")
+        wide, tall = (int(paper.get(f"{W}{side}")) / TWIPS for side in ("w", "h"))
+        for one in section.iter(f"{W}headerReference"):
+            name = led[one.get(f"{R}id")]
+            seen.add(name)
+            header = fromstring(files[f"word/{name}"])
+            (place,) = header.iter(f"{WP}anchor")
+            left, above = (int(text.text) / MM for text in place.iter(f"{WP}posOffset"))
+            size = place.find(f"{WP}extent")
+            across, down = (int(size.get(side)) / MM for side in ("cx", "cy"))
+            assert (left, above) == (19.75, 4.75)
+            assert (across, down) == pytest.approx((wide - 24.5, tall - 9.5), abs=0.02)
+            counted = [one.get(f"{W}instr").strip() for one in header.iter(f"{W}fldSimple")]
+            form = {"titleheader.xml": [], "openingheader.xml": ["PAGE", "NUMPAGES"]}.get(name, ["PAGE"])
+            assert counted == form
+            image = fromstring(files[f"word/_rels/{name}.rels"])[0].get("Target")
+            assert files[f"word/{image}"][40:44] == b" EMF"
+    assert len(seen) > 3 and all(f"/word/{name}".encode() in files["[Content_Types].xml"] for name in seen)
+    assert not any("frame" in name or "opening" in name for name in parts_of(of("crank_rocker")))
 
 
 def test_large_pictures_stand_on_sheets_of_their_own():

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import re
-import shutil
 import subprocess
 from collections import Counter
 from functools import cache
-from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import pytest
 from docx_read import W, document_of, style_of, text_of
 from notes import note, program, static
+from typesetting import set_by_libreoffice
 
 pytestmark = pytest.mark.exhaustive  # it takes its half minute
 
@@ -20,15 +18,7 @@ pytestmark = pytest.mark.exhaustive  # it takes its half minute
 @cache
 def printed(name: str, language: str) -> tuple[str, ...]:
     """The pages of the PDF as text."""
-    office = shutil.which("soffice") or shutil.which("libreoffice")
-    if office is None:  # it is large: CI goes without, test_docx.py reads the same file by itself
-        pytest.skip("LibreOffice is not installed")
-    with TemporaryDirectory() as place:
-        file = Path(place, "note.docx")
-        file.write_bytes(note(name, "docx", language)["note.docx"])
-        command = [office, "--headless", f"-env:UserInstallation=file://{place}/own", "--convert-to", "pdf"]
-        subprocess.run([*command, "--outdir", place, str(file)], capture_output=True, timeout=300, check=True)
-        pdf = file.with_suffix(".pdf").read_bytes()
+    pdf = set_by_libreoffice(note(name, "docx", language)["note.docx"])
     text = subprocess.run(
         [program("pdftotext"), "-layout", "-", "-"], input=pdf, capture_output=True, check=True
     )

@@ -16,6 +16,7 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 from markupsafe import Markup
 
 from tmm_report.report.page import template
+from tmm_report.report.word.frames import framed, headers
 from tmm_report.report.word.sections import Setup
 from tmm_report.report.word.tree import finished
 
@@ -41,9 +42,12 @@ def packed(text: str, form: Docx, given: Mapping[str, Any], stated: date) -> byt
         "p": page.profile,
         "date": stated,
         "proofed": page.tr.proofed,
+        **dict(zip(("headers", "footers"), headers(setup), strict=True)),
         "foot": Markup("".join(tostring(one, encoding="unicode") for one in setup.foot)),
     }
     parts = {name: template(f"word/{source}.xml.j2").render(more).strip().encode() for name, source in PARTS}
+    if page.profile.frames:
+        parts |= framed(given["title"], page, setup)
     return _zipped({**parts, "word/document.xml": document, **form.files})
 
 
