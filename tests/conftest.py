@@ -52,6 +52,9 @@ every_variant = pytest.fixture(params=[path.stem for path in FILES])
 
 
 def path_of(name: str) -> Path:
+    """Of a ready variant, one of STATEMENTS, or a file beside this one: "statements/knuckle_press"."""
+    if "/" in name:
+        return Path(__file__).parent / f"{name}.yaml"
     return next(path for path in (*ALL_FILES, *STATEMENTS) if path.stem == name)
 
 

@@ -15,21 +15,20 @@ import pytest
 from batching import Heard, here
 from catalogues import messages as tool
 from catalogues import texts
+from conftest import read, solved
 from exhaustive import many
-from notes import NAMES, VARIANTS, render
+from notes import NAMES, STATED, VARIANTS, Asked, asked_by, asking, render
 
 from tmm_report import i18n, load, solve
 from tmm_report.commands.grade import run as grade
 from tmm_report.i18n import Translator, catalogue, folder, said
 from tmm_report.languages import FALLBACK, LANGUAGES, Language
+from tmm_report.sheets import composed
+from tmm_report.sheets.pictures import figures
 
 ROOT = Path(__file__).resolve().parents[2]
 CLASS = ROOT / "tests" / "cases" / "class"
-STATEMENTS = sorted(
-    file.stem for file in (ROOT / "tests" / "statements").glob("*.yaml") if ".answers" not in file.name
-)
 QUICK = ["compressor", "press", "punch_press"]
-Asked = set[tuple[str, str | None]]
 
 
 def of(domain: str) -> Asked:
@@ -41,23 +40,10 @@ def of(domain: str) -> Asked:
 
 
 @pytest.fixture
-def asked(monkeypatch) -> Iterator[Asked]:
-    """What a note asks a translator for."""
-    found: Asked = set()
-
-    def noting(name: str, text_at: int, context_at: int | None = None):
-        translate = getattr(Translator, name)
-
-        def noted(self, *args):
-            found.add((args[text_at], None if context_at is None else args[context_at]))
-            return translate(self, *args)
-
-        monkeypatch.setattr(Translator, name, noted)
-
-    noting("gettext", 0)
-    noting("ngettext", 0)
-    noting("pgettext", 1, 0)
-    return found
+def asked() -> Iterator[Asked]:
+    """What a test has a translator asked for."""
+    with asking() as found:
+        yield found
 
 
 def strangers(asked: Asked) -> list[str]:
@@ -67,22 +53,26 @@ def strangers(asked: Asked) -> list[str]:
     return sorted(text for text in lost if re.search(r"[^\W\d_]", re.sub(r"%\(\w+\)\w", "", text)))
 
 
-def all_of(file: Path) -> None:
-    results = solve(load(file))
-    for fmt in ("html", "tex", "json", "sheets"):
-        render(results, fmt, "ru")
-
-
 @pytest.mark.parametrize("name", many([*QUICK, *sorted({*NAMES} - {*QUICK})], len(QUICK)))
 def test_what_a_note_says_stands_in_note(name, asked):
-    all_of(VARIANTS / f"{name}.yaml")
-    assert len(asked) > 50 and strangers(asked) == []  # the shortest note asks for some hundred
+    figures(solved(name), Translator("ru"))
+    assert strangers(asked.union(*(asked_by(name, fmt, "ru") for fmt in ("html", "tex", "json")))) == []
+    assert len(asked_by(name, "html", "ru")) > 50  # the shortest note asks for some hundred
 
 
-@pytest.mark.parametrize("name", many(STATEMENTS, 3))
+@pytest.mark.parametrize("name", QUICK)
+def test_what_a_sheet_says_stands_in_note(name, asked):
+    """Its frame and title block, too: the same on all."""
+    assert composed(solved(name), Translator("ru"))
+    assert {"Mass", "Drawn by"} <= {text for text, _ in asked} and strangers(asked) == []
+
+
+@pytest.mark.parametrize("name", many([*STATED.values()], 3))
 def test_what_the_note_of_a_statement_says_stands_in_note(name, asked):
-    all_of(ROOT / "tests" / "statements" / f"{name}.yaml")
-    assert len(asked) > 50 and strangers(asked) == []
+    """LaTeX asks for what the page does and for signs of an index, as the notes of ready variants do."""
+    figures(solved(name), Translator(read(name).language))
+    assert strangers(asked.union(*(asked_by(name, fmt) for fmt in ("html", "json")))) == []
+    assert len(asked_by(name, "html")) > 50
 
 
 def test_doubts_stand_in_note(asked, tmp_path):

@@ -1,18 +1,12 @@
 """A letter stands for one thing in a chapter, and in one line of the list of symbols; every statement has its note."""
 
-from pathlib import Path
-
 import pytest
 from conftest import STATEMENTS
 from exhaustive import many
 from meanings import faults, listed
-from notes import NAMES, note
+from notes import NAMES, STATED, note
 
-from tmm_report import loading, render, solve
-
-STATED = {path.stem: path for path in (Path(__file__).parents[1] / "statements").glob("*.yaml")}
-STATED = {name: path for name, path in STATED.items() if not name.endswith(".answers")}
-STATED |= {path.stem: path for path in STATEMENTS}
+EVERY = sorted({*STATED.values(), *(path.stem for path in STATEMENTS)})
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -21,10 +15,9 @@ def test_a_letter_means_one_thing(name):
     assert not found, "\n".join(found)
 
 
-@pytest.mark.parametrize("name", many(sorted(STATED)))
+@pytest.mark.parametrize("name", many(EVERY))
 def test_a_letter_of_a_statement_means_one_thing(name):
-    html = render(solve(loading.load(STATED[name])), "html", depth="full")["note.html"].decode()
-    found = list(faults(html))
+    found = list(faults(note(name, "html")["note.html"].decode()))
     assert not found, "\n".join(found)
 
 

@@ -9,19 +9,15 @@ import json
 import os
 from functools import cache
 from typing import Any
-from unittest.mock import patch
 
-from conftest import FILES, STATEMENTS, solved
+from conftest import FILES, STATEMENTS
 from conftest import LEVERS as MECHANISMS
 from conftest import read as variant
 from exhaustive import many
 from note import Note, read
-from notes import NAMES, note
-from once import once
+from notes import NAMES, drawn, note
 
-from tmm_report import render as render_as
 from tmm_report.figures.drawing import Drawing
-from tmm_report.report.formats import Tex
 
 READ = [*NAMES, *(path.stem for path in STATEMENTS)]
 CHOSEN = [name for name in READ if name in os.environ.get("PAGE_VARIANTS", " ".join(READ)).split()]
@@ -50,26 +46,14 @@ def html(name: str, other: str = "", depth: str = "full") -> Note:
 
 
 def tex(name: str, other: str = "") -> str:
-    """note.tex without its figures, which are the same drawings again."""
-    return _tex(name, other)[0]
+    """note.tex, whose figures are files of their own."""
+    return note(name, "tex", language(name, other))["note.tex"].decode()
 
 
+@cache
 def drawings(name: str, depth: str = "full") -> dict[str, Drawing]:
-    """The drawings of a note, its graphs among them, by their anchors, before they are written in any format."""
-    return _tex(name, depth=depth)[1]
-
-
-@once
-def _tex(name: str, other: str = "", depth: str = "full") -> tuple[str, dict[str, Drawing]]:
-    found: dict[str, Drawing] = {}
-
-    def picture(self: Tex, picture: Any, anchor: str) -> str:
-        found[anchor] = picture if isinstance(picture, Drawing) else picture.drawing
-        return ""
-
-    with patch.object(Tex, "picture", picture):
-        files = render_as(solved(name), "tex", language(name, other), depth)
-        return files["note.tex"].decode(), found
+    """The drawings of a note by their anchors, before they are written in any format."""
+    return drawn(name, depth=depth)
 
 
 @cache

@@ -5,13 +5,13 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
-from conftest import read
-from notes import program, static
+from notes import note, program, render, static
+from once import once
 from pdf_words import pages
 from typesetting import set_by_tex
 
-from benchmarks.pages import chapters, fills, read_words
-from tmm_report import render, solve
+from benchmarks.pages import Chapter, chapters, fills, read_words
+from tmm_report import solve
 from tmm_report.commands.printing import printed
 from tmm_report.loading import loads
 
@@ -44,35 +44,38 @@ mechanism:
 """
 
 
+def html_of(name: str, depth: str) -> bytes:
+    if name == "four-bar":
+        return render(solve(loads(FOUR_BAR)), "html", depth=depth)["note.html"]
+    return note(name, "html", depth=depth)["note.html"]
+
+
+@once
+def set_once(name: str, depth: str, of: str = "html") -> tuple[bytes, list[Chapter], int]:
+    """The PDF of a note, its chapters, and the number of its pages."""
+    program("chromium"), program("pdftotext")
+    html = html_of(name, depth)
+    pdf = set_by_tex(note(name, "tex", depth=depth))[1] if of == "tex" else printed(html)
+    return pdf, *chapters_of(html, pdf)
+
+
 @pytest.mark.exhaustive
 @pytest.mark.parametrize(("name", "depth"), MOST)
 def test_a_note_takes_no_more_pages_than_it_may(name, depth):
-    program("chromium"), program("pdftotext")
     text, appendices, size = MOST[name, depth]
-    html = render(solve(loads(FOUR_BAR) if name == "four-bar" else read(name)), "html", depth=depth)[
-        "note.html"
-    ]
-    with TemporaryDirectory() as folder:
-        pdf = Path(folder, "note.pdf")
-        pdf.write_bytes(printed(html))
-        words, filled = read_words(pdf), fills(pdf, Path(folder))
-    apart = [int(one.start) for one in chapters(html, words, filled) if one.appendix]
-    of_text = min(apart, default=len(words))
-    assert of_text <= text and len(words) - of_text <= appendices
+    _, found, count = set_once(name, depth)
+    apart = [int(one.start) for one in found if one.appendix]
+    of_text = min(apart, default=count)
+    assert of_text <= text and count - of_text <= appendices
     assert bool(apart) == bool(appendices)
-    assert (
-        len(static(html.decode()).encode()) <= 1e6 * size
-    )  # what moves it has its own bound, in tests/living
+    # what moves it has its own bound, in tests/living
+    assert len(static(html_of(name, depth).decode()).encode()) <= 1e6 * size
 
 
 @pytest.mark.exhaustive
 @pytest.mark.parametrize(("name", "depth", "of"), FILLED)
 def test_no_page_within_a_chapter_is_less_than_two_thirds_full(name, depth, of):
-    program("chromium"), program("pdftotext")
-    results = solve(read(name))
-    html = render(results, "html", depth=depth)["note.html"]
-    pdf = set_by_tex(render(results, "tex", depth=depth))[1] if of == "tex" else printed(html)
-    found = chapters_of(html, pdf)
+    pdf, found, _ = set_once(name, depth, of)
     fill = [fill for chapter in found for fill in chapter.fill]
     assert len(fill) > 10 and np.mean(fill) > 0.9
     assert all(fill >= (APART if one.appendix else FULL) for one in found for fill in one.fill)
@@ -82,10 +85,10 @@ def test_no_page_within_a_chapter_is_less_than_two_thirds_full(name, depth, of):
 @pytest.mark.exhaustive
 def test_a_page_half_empty_is_seen():
     program("chromium"), program("pdftotext")
-    html = render(solve(read("compressor")), "html", depth="short")["note.html"]
+    html = html_of("compressor", "short")
     head, mark, rest = html.partition(b'<h2 id="section4.2">')
     broken = head + b'<div style="break-before: page"></div>' + mark + rest
-    assert min(fill for one in chapters_of(html, printed(broken)) for fill in one.fill) < FULL
+    assert min(fill for one in chapters_of(html, printed(broken))[0] for fill in one.fill) < FULL
 
 
 def lying_over(pdf):
@@ -108,13 +111,14 @@ def lying_over(pdf):
 @pytest.mark.exhaustive
 def test_words_that_lie_over_others_are_seen():
     program("chromium"), program("pdftotext")
-    html = render(solve(read("punch_press")), "html", depth="short")["note.html"]
+    html = html_of("punch_press", "short")
     pushed = html.replace(b"</style>", b"h2 + p { margin-top: -2em !important; }</style>", 1)
     assert not lying_over(printed(html)) and lying_over(printed(pushed))
 
 
-def chapters_of(html, pdf):
+def chapters_of(html: bytes, pdf: bytes) -> tuple[list[Chapter], int]:
     with TemporaryDirectory() as folder:
         file = Path(folder, "note.pdf")
         file.write_bytes(pdf)
-        return list(chapters(html, read_words(file), fills(file, Path(folder))))
+        words = read_words(file)
+        return list(chapters(html, words, fills(file, Path(folder)))), len(words)
