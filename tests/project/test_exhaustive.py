@@ -9,7 +9,7 @@ from exhaustive import FEW, NAMES, beyond_few, many
 ROOT = Path(__file__).parents[2]
 
 
-def test_the_command_leaves_out_what_is_marked_and_ci_runs_it_next():
+def test_the_command_leaves_out_what_is_marked_and_ci_runs_it_with_the_others():
     options = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["pytest"]["ini_options"]
     assert "-m 'not exhaustive'" in options["addopts"] and "--strict-markers" in options["addopts"]
     assert [marker.partition(":")[0] for marker in options["markers"]] == ["exhaustive"]
@@ -17,7 +17,9 @@ def test_the_command_leaves_out_what_is_marked_and_ci_runs_it_next():
     run, readme, contributing = (
         (ROOT / name).read_text("utf-8") for name in (".ci/run", "README.md", "CONTRIBUTING.md")
     )
-    assert re.search(rf'bash -euo pipefail -c "\$tests"\n.*\n{re.escape(command)}\n', run)
+    # the options of the environment stand behind those of the project and before those of the command, which has no -m
+    assert re.search(r"""^PYTEST_ADDOPTS='-m ""' bash -euo pipefail -c "\$tests"$""", run, re.M)
+    assert re.search(r"<!-- tests -->\n```sh\n.*pytest -n auto\n```", readme)
     assert command in readme and command in contributing
 
 
