@@ -6,6 +6,7 @@ import re
 import sys
 from collections.abc import Iterator
 from contextlib import suppress
+from functools import lru_cache
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -33,9 +34,12 @@ CHAPTERS = Path(__file__).resolve().parents[2] / "templates" / "chapters"
 QUICK = ["compressor-ru", "governor_servo-en"]
 NOTES = [*QUICK, *sorted({f"{name}-{language}" for name in NAMES for language in LANGUAGES} - {*QUICK})]
 JOINER = "\N{WORD JOINER}"
-each = pytest.mark.parametrize("name", many(NOTES, len(QUICK)))
+each = pytest.mark.parametrize(
+    "name", many(NOTES, len(QUICK)), scope="module"
+)  # a note after another, each read once
 
 
+@lru_cache(maxsize=2)
 def page(name: str) -> Element:
     variant, _, language = name.rpartition("-")
     return read(note(variant, "html", language)["note.html"].decode()).root

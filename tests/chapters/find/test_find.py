@@ -2,6 +2,7 @@
 
 import json
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -51,6 +52,7 @@ def asked(text, find):
     return f"{text}\nfind: {find}\n"
 
 
+@cache
 def results_of(text, find):
     return solve(loading.loads(asked(text, find)))
 

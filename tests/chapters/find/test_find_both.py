@@ -262,7 +262,9 @@ def test_results_and_every_format():
 
 def test_a_search_that_ends_for_want_of_solvings_says_so(monkeypatch):
     monkeypatch.setattr("tmm_report.chapters.find.pair.MOST", 295)
-    results = results_of(SPRING, BY_SPEEDS.replace("200 kN/m", "20 kN/m") % ("970 rpm", "1030 rpm"))
+    results = results_of.__wrapped__(
+        SPRING, BY_SPEEDS.replace("200 kN/m", "20 kN/m") % ("970 rpm", "1030 rpm")
+    )
     (told,) = course.doubts(results)
     assert "after 295 solvings" in told.text()
 

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 from conftest import LEVERS, solved
 from exhaustive import many
-
-from tmm_report import render
+from notes import note
 
 QUICK = ["parallelogram_drive", "crank_rocker", "elliptic_trammel"]
 NAMES = many([*QUICK, *(path.stem for path in LEVERS if path.stem not in QUICK)], len(QUICK))
@@ -26,5 +25,5 @@ def test_the_note_names_those_that_keep_their_direction(name):
         if np.nanmax(np.abs(motion.turn(link) - motion.turn(link).flat[0]), initial=0.0) < 1e-9
     } - {mechanism.driver.link}
     for depth in ("short", "course"):
-        text = render(results, "html", "en", depth)["note.html"].decode()
+        text = note(name, "html", "en", depth)["note.html"].decode()
         assert set(", ".join(SAID.findall(text)).split(", ")) - {""} == still

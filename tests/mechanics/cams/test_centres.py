@@ -103,7 +103,9 @@ def test_the_polygon_drawn_is_the_zone(seed):
     one, random = drawn(seed), np.random.default_rng(seed)
     reach = 3 * one.arm
     box = [complex(x, y) for x, y in ((-reach, -reach), (reach, -reach), (reach, reach), (-reach, reach))]
-    corners = np.array(zone(*one.conditions(COARSE), box))
+    corners = np.array(
+        zone(*one.conditions(COARSE[::4]), box)
+    )  # it stands off the zone by 1e-5 of the arm or less
     tried = np.array([complex(x, y) for x, y in random.uniform(-reach, reach, (400, 2))])
     ahead = np.roll(corners, -1) - corners
     away = ((ahead.conj() * (tried[:, None] - corners)).imag / np.abs(ahead)).min(axis=1)
