@@ -10,15 +10,7 @@ from itertools import pairwise
 
 MM = 25.4 / 72  # of a point of PDF
 _STREAM = re.compile(rb"stream\r?\n")
-_NUMBER = rb"(-?\d*\.?\d+) "
-_SIGN = re.compile(
-    _NUMBER * 6
-    + rb"cm\b|"
-    + _NUMBER * 2
-    + rb"([ml])\b|(?<=\n)(q|Q|S|f|h|B|b|s|W\*? n|n)(?=\s)|"
-    + _NUMBER * 6
-    + rb"c\b"
-)
+_ENDS = frozenset((b"S", b"f", b"B", b"b", b"s", b"n"))  # of a path
 Matrix = tuple[float, float, float, float, float, float]
 Stroke = tuple[complex, ...]
 
@@ -36,13 +28,14 @@ def arrows(pdf: bytes) -> list[complex]:
 
 
 def _streams(pdf: bytes) -> Iterator[bytes]:
+    whole = memoryview(pdf)
     for match in _STREAM.finditer(pdf):
         try:
-            content = zlib.decompressobj().decompress(pdf[match.end() :])
+            content = zlib.decompressobj().decompress(whole[match.end() :])
         except zlib.error:
             continue
         if b" l\n" in content or b" l " in content:
-            yield b"\n" + content.replace(b" \n", b"\n")
+            yield content
 
 
 def _strokes(content: bytes) -> Iterator[Stroke]:
@@ -50,24 +43,24 @@ def _strokes(content: bytes) -> Iterator[Stroke]:
     matrix: Matrix = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
     saved: list[Matrix] = []
     path: list[complex] = []
-    for match in _SIGN.finditer(content):
-        if match[1] is not None:
-            matrix = _times(tuple(map(float, match.groups()[:6])), matrix)  # type: ignore[arg-type]
-        elif match[9] is not None:
-            if match[9] == b"m" and path:
+    words = content.split()
+    for k, word in enumerate(words):
+        if word == b"l" or word == b"m":
+            if word == b"m" and path:
                 yield tuple(path)
                 path = []
-            path.append(_under(matrix, float(match[7]), float(match[8])))
-        elif match[10] is None:
+            path.append(_under(matrix, float(words[k - 2]), float(words[k - 1])))
+        elif word == b"c":
             path = []  # a curve
-        elif match[10] in (b"q", b"Q"):
-            if match[10] == b"q":
-                saved.append(matrix)
-            elif saved:
-                matrix = saved.pop()
-        elif match[10] != b"h" and path:
+        elif word in _ENDS and path:
             yield tuple(path)
             path = []
+        elif word == b"cm":
+            matrix = _times(tuple(map(float, words[k - 6 : k])), matrix)  # type: ignore[arg-type]
+        elif word == b"q":
+            saved.append(matrix)
+        elif word == b"Q" and saved:
+            matrix = saved.pop()
 
 
 def _times(a: Matrix, b: Matrix) -> Matrix:
