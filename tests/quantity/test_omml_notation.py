@@ -38,10 +38,10 @@ def test_every_formula_of_a_note_says_the_same(name):
     """In a sentence, and displayed on lines: what stands at the end of one stands at the beginning of the next."""
     items, tr = formulas_of(name)
     for item in items:
-        meant = of_mathml(mathml(item, tr))
-        assert of_omml(in_line(omml(item, tr))) == meant
-        for line in (200.0, 34.0, 12.0):
-            assert rejoined(broken(omml(item, tr), line)) == crossless(meant)
+        text, meant = omml(item, tr), of_mathml(mathml(item, tr))
+        assert of_omml(in_line(text)) == meant
+        for lines in {tuple(broken(text, line)) for line in (200.0, 34.0, 12.0)}:  # most are whole in two of these
+            assert rejoined(lines) == crossless(meant)
     assert items
 
 
