@@ -40,7 +40,7 @@ def test_every_formula_of_a_note_says_the_same(name):
     for item in items:
         text, meant = omml(item, tr), of_mathml(mathml(item, tr))
         assert of_omml(in_line(text)) == meant
-        for lines in {tuple(broken(text, line)) for line in (200.0, 34.0, 12.0)}:  # most are whole in two of these
+        for lines in {tuple(broken(text, line)) for line in (200.0, 34.0, 12.0)}:  # many are the same
             assert rejoined(lines) == crossless(meant)
     assert items
 
