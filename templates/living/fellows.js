@@ -57,15 +57,38 @@ function formulasOf() {
 
 const result = (formula) => [...formula.querySelectorAll("[data-q]")].at(-1).dataset;
 
-// The formula and those of what stands in it, in the order of the note.
+// The formulas that define a quantity: its own, that of the vector or of both its components, that of the opposite reaction.
+function definedBy(key, row) {
+  const [, on, by] = key.match(/^R_(.+),(.+)$/) ?? key.match(/^R_(.)(.)$/) ?? [];
+  for (const name of [key, key.replace(/_[xy]$/, ""), on && `R_${by}${key.includes(",") ? "," : ""}${on}`]) {
+    const one = name && formulaOf(name, row);
+    if (one) return [one];
+  }
+  return ["_x", "_y"].map((c) => formulaOf(key + c, row)).filter(Boolean);
+}
+
+// What is read off a plan stands upon the equations in front of it, and upon what was worked out for that plan before.
+function readOff(formula) {
+  if (!formula.querySelector('[data-q^="mu_"]')) return [];
+  const every = [...document.querySelectorAll("main .formula")];
+  const before = every.slice(0, every.indexOf(formula)).filter((f) => headOf(f) === headOf(formula));
+  const drawn = (f) => !f.querySelector("[data-q]");
+  const last = before.findLastIndex(drawn);
+  const first = before.findLastIndex((f, k) => k < last && !drawn(f));
+  const { t } = result(formula);
+  return [...before.slice(first + 1, last + 1), ...before.filter((f) => !drawn(f) && result(f).t === t)];
+}
+
+// The formulas and those of what stands in them, in the order of the note.
 function derivation(key, row) {
   const found = new Set();
-  const waiting = [formulaOf(key, row)];
+  const waiting = definedBy(key, row);
   while (waiting.length) {
     const formula = waiting.shift();
-    if (!formula || found.has(formula)) continue;
+    if (found.has(formula)) continue;
     found.add(formula);
-    for (const one of formula.querySelectorAll("[data-q]")) if (one.dataset.q !== key) waiting.push(formulaOf(one.dataset.q, one.dataset.k));
+    for (const { dataset } of formula.querySelectorAll("[data-q]")) if (dataset.q !== key) waiting.push(...definedBy(dataset.q, dataset.k));
+    waiting.push(...readOff(formula));
   }
   return [...found].sort((a, b) => (a.compareDocumentPosition(b) & 4 ? -1 : 1));
 }
@@ -76,7 +99,7 @@ function beginnings(formulas) {
   for (const formula of formulas)
     for (const one of formula.querySelectorAll("[data-q]")) {
       const name = `${one.dataset.q} ${one.textContent}`;
-      if (one.dataset !== result(formula) && !formulaOf(one.dataset.q, one.dataset.k)) found.set(name, one);
+      if (one.dataset !== result(formula) && !definedBy(one.dataset.q, one.dataset.k).length) found.set(name, one);
     }
   return [...found.values()];
 }
@@ -94,7 +117,7 @@ async function tellings() {
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
     return JSON.parse(await new Response(stream).text());
   } catch {
-    return { texts: [], ways: {}, meanings: {} };
+    return { texts: [], ways: {}, meanings: {}, worked: {}, starts: {} };
   }
 }
 
@@ -103,6 +126,27 @@ function told(kind, { q, t }) {
   const n = of[`${t ?? ""}.${q}`] ?? of[q];
   return n === undefined ? "" : texts.texts[n];
 }
+
+// The name of a number in the results; of a cell of a comparison that of the column by positions which it compares.
+function nameOf({ q, t, by }) {
+  const own = t ? `${t}.${q}` : q;
+  if (!by || own in texts.worked || own in texts.starts) return own;
+  return [texts.worked, texts.starts].flatMap(Object.keys).find((name) => name.endsWith(`_table.${q}`)) ?? own;
+}
+
+// With which numbers the way to a number starts: of a column those of the row, as the page has them.
+function starts(name, k) {
+  return (texts.starts[name] ?? []).map((from) => {
+    if (typeof from !== "string") return from.map((n) => texts.texts[n]);
+    const [table, key] = from.split(".");
+    const place = table.endsWith("_table") && cycle?.numbered[k];
+    const of = place !== false && place !== undefined && column(key, table);
+    const cell = document.querySelector(`main td[data-q="${CSS.escape(key)}"][data-k="${CSS.escape(k)}"][data-t="${table}"]`);
+    return [told("meanings", { q: key, t: table }) || key, of ? `${text(of.values[place])} ${of.unit}` : cell?.textContent ?? ""];
+  });
+}
+
+const listed = (pairs) => element("ul", {}, ...pairs.map(([sign, number]) => element("li", {}, sign, number && ": ", element("b", {}, number))));
 
 async function explain(one) {
   texts ??= await tellings();
@@ -114,8 +158,14 @@ async function explain(one) {
   box.append(element("p", { class: "head" }, meaning || q, k === undefined || !one.dataset.t?.endsWith("_table") ? "" : `, ${words.position.toLowerCase()} ${k}`, ": ", element("b", {}, one.textContent)));
   const way = told("ways", one.dataset);
   if (way) box.append(element("p", {}, way));
+  const name = nameOf(one.dataset);
+  const worked = texts.worked[name] ?? [];
+  if (worked.length && name.includes("_table.") && Number(k) !== texts.sample) box.append(element("p", {}, `${words.position} ${texts.sample}:`));
+  if (worked.length) box.append(element("p", { class: "worked" }, worked.map((n) => texts.texts[n]).join("\n")));
+  const from = starts(name, k);
+  if (from.length) box.append(element("p", { class: "section" }, words.starts), listed(from));
   const leading = derivation(q, k);
-  if (leading.length && k !== undefined && result(formulaOf(q, k)).k !== k) box.append(element("p", {}, words.likewise));
+  if (leading.length && k !== undefined && definedBy(q, k).every((f) => result(f).k !== k)) box.append(element("p", {}, words.likewise));
   let head = "";
   for (const formula of leading) {
     if (headOf(formula) !== head) box.append(element("p", { class: "section" }, (head = headOf(formula))));
@@ -126,10 +176,9 @@ async function explain(one) {
     box.append(element("div", { class: "formula" }, copy, back));
   }
   const begins = beginnings(leading);
-  if (begins.length) box.append(element("p", { class: "section" }, words.begins));
-  const list = element("ul");
-  for (const from of begins) list.append(element("li", {}, told("meanings", from.dataset) || from.dataset.q, ": ", element("b", {}, from.textContent)));
-  if (begins.length) box.append(list);
+  const signed = (b) => [told("meanings", b.dataset) || b.dataset.q, b.textContent];
+  if (begins.length) box.append(element("p", { class: "section" }, words.begins), listed(begins.map(signed)));
+  box.append(element("p", { class: "where" }, `results.json: ${name.includes(".") ? "tables" : "values"}.${name}`));
   box.addEventListener("click", (event) => event.target === box && close());
   box.addEventListener("close", () => box.remove());
   document.body.append(box);

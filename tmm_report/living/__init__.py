@@ -10,7 +10,7 @@ import base64
 import json
 import re
 import zlib
-from collections.abc import Container, Mapping
+from collections.abc import Container, Iterator, Mapping
 from functools import cache
 from html import unescape
 from typing import Any
@@ -40,7 +40,7 @@ SCRIPTS = (
     "fellows",
     "page",
 )  # as they run
-_KEY = re.compile(' data-q="([^"]*)"')
+_SHOWN = re.compile(' data-q="([^"]*)"(?: data-k="[^"]*")?(?: data-t="([^"]*)")?')
 Pictures = Mapping[str, Drawing | Graph]
 
 
@@ -50,7 +50,7 @@ def added(text: str, results: Results, page: Page, pictures: Pictures) -> str:
     policy = f"default-src 'none'; script-src {allowed(script.encode())};"
     text = text.replace("default-src 'none';", policy, 1)
     body, end, rest = text.rpartition("</body>")
-    data = as_json(known(results, page, pictures, set(map(unescape, _KEY.findall(text)))))
+    data = as_json(known(results, page, pictures, set(_shown(text))))
     block = (
         f"<style>\n{_read('css')}</style>\n"
         f'<script type="application/json" id="living">{data}</script>\n<script>{script}</script>\n'
@@ -59,7 +59,7 @@ def added(text: str, results: Results, page: Page, pictures: Pictures) -> str:
 
 
 def known(results: Results, page: Page, pictures: Pictures, shown: Container[str] = ()) -> dict[str, Any]:
-    """What the script knows; `shown`: the keys of the numbers on the page."""
+    """What the script knows; `shown`: keys of the numbers on the page, and their names in the results."""
     found: dict[str, Any] = {
         "words": words(page.tr),
         "decimal": page.tr.decimal,
@@ -89,6 +89,12 @@ def known(results: Results, page: Page, pictures: Pictures, shown: Container[str
         "moves": moves,
         "charts": cursors(pictures, cycle, page.tr),
     }
+
+
+def _shown(text: str) -> Iterator[str]:
+    for key, table in set(_SHOWN.findall(text)):
+        yield unescape(key)
+        yield f"{table}.{unescape(key)}"
 
 
 def packed(data: Any) -> str:

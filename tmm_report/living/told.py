@@ -1,99 +1,250 @@
-"""How numbers come about for which the page has no formula: the sentence of their chapter's ways, as `explain` has."""
+"""How numbers come about as a click tells it: the sentence of their chapter's ways, what is worked out by them, and
+with which numbers they start, as `explain` has them.
+
+Of a table by positions what is worked out is packed once, with the numbers of the position that the note writes out;
+with which numbers it starts in another one the script finds in the tables of the page.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Container, Iterator
+from contextlib import suppress
+from dataclasses import field
 from functools import cache
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from tmm_report.course import INITIAL_DATA, Results, chapters, room
 from tmm_report.problems import Message
-from tmm_report.quantity.model import Column, Table
-from tmm_report.quantity.ways import Way, by_kind
+from tmm_report.quantity.formula import Formula
+from tmm_report.quantity.model import Book, Column, Quantity, Table, Value
+from tmm_report.quantity.symbols import Symbol
+from tmm_report.quantity.text import number
+from tmm_report.quantity.ways import GIVEN, Input, Known, Line, Way, by_kind, fits
+from tmm_report.records import dataclass
 from tmm_report.report.page import Page
+from tmm_report.report.plain import Plain, gap, said, text
+from tmm_report.results import tables, values
+
+DIGITS = 5
+MOST = 24  # numbers that a way starts with
+Start = str | tuple[str, str]  # name of a column by rows; or sign with meaning, and number
+
+
+class _Told(NamedTuple):
+    """A way; the lines that are worked out by it; with what it starts."""
+
+    way: Way
+    worked: list[str]
+    starts: list[Start]
+
+    @property
+    def says(self) -> bool:
+        """Whether it says more than that there is a method."""
+        return bool(self.worked or self.starts) or self.way.text in GIVEN
 
 
 def told(results: Results, page: Page, shown: Container[str]) -> dict[str, Any]:
     """`ways`, `meanings`: name of a number, "key" or, where tables differ in it, "table.key" -> the place of its text
-    among `texts`; of the keys `shown` on the page."""
-    texts: dict[str, int] = {}
-    found: dict[str, dict[str, int]] = {"ways": {}, "meanings": {}}
-    for table, key, way, meaning in _every(results, shown):
-        for kind, text in (("ways", page.tr.gettext(way) if way else ""), ("meanings", _said(meaning, page))):
-            if text:
-                number = texts.setdefault(text, len(texts))
-                if found[kind].setdefault(key, number) != number:
-                    found[kind][f"{table}.{key}"] = number
-    return {"texts": list(texts), **found}
-
-
-def _said(meaning: Message, page: Page) -> str:
-    return meaning.render(page.tr.gettext)
-
-
-def _every(results: Results, shown: Container[str]) -> Iterator[tuple[str, str, str, Message]]:
-    """Table, key, way and meaning."""
+    among `texts`; of the keys and names `shown` on the page. `worked`, by "table.key" or the key of a single number:
+    the places of the lines at position `sample`; `starts`: names of columns, or the places of a sign and a number."""
+    teller = _Teller(page, Book.of(tables(results), values(results)), _sample(results))
     for chapter, found in _rooms(results):
         quantities = room(chapter, "quantities")
         for table in quantities.tables(found):
             if not table.name.endswith("_diagram"):  # no cell of the page is of these
+                whole = table.name.endswith("_table")  # comparisons ask for these, too
                 for column in table.columns:
-                    if column.key in shown:
-                        yield table.name, column.key, _way(chapter, table, column), column.meaning
+                    if f"{table.name}.{column.key}" in shown or (whole and column.key in shown):
+                        teller.tell(chapter, found, table, column)
         for value in quantities.values(found):
             if value.key in shown:
-                yield "", value.key, _own(chapter, value.key), value.meaning
+                teller.tell(chapter, found, None, value)
+    return {"sample": teller.sample, "texts": list(teller.texts), **teller.found}
 
 
-def _way(chapter: str, table: Table, column: Column) -> str:
-    if own := _own(chapter, f"{table.name}.{column.key}"):
-        return own
-    kind = by_kind(table, column, column.key)
-    return kind.text if kind is not None else ""
+def _sample(results: Results) -> int:
+    return results.lever.sample if results.lever is not None else 0
+
+
+@dataclass(frozen=True, eq=False)
+class _Teller:
+    page: Page
+    book: Book
+    sample: int
+    texts: dict[str, int] = field(default_factory=dict)
+    found: dict[str, dict[str, Any]] = field(
+        default_factory=lambda: {"ways": {}, "meanings": {}, "worked": {}, "starts": {}}
+    )
+
+    named: set[str] = field(default_factory=set)  # columns that have their meaning among the texts
+    written: dict[int, tuple[Any, str]] = field(default_factory=dict)  # by identity: many numbers share them
+
+    def put(self, words: str) -> int:
+        return self.texts.setdefault(words, len(self.texts))
+
+    def tell(self, chapter: str, found: Any, table: Table | None, of: Column | Value) -> None:
+        key, name = of.key, of.key if table is None else f"{table.name}.{of.key}"
+        self._keep("meanings", key, name, self._named(of.quantity, of.quantity.symbol))
+        one = self._told(chapter, found, table, of)
+        if one is None:
+            return
+        self._keep("ways", key, name, self.page.tr.gettext(one.way.text) if one.way.text else "")
+        if one.worked:
+            self.found["worked"][name] = [self.put(line) for line in one.worked]
+        if one.starts:
+            self.found["starts"][name] = [
+                s if isinstance(s, str) else [self.put(x) for x in s] for s in one.starts
+            ]
+
+    def _keep(self, kind: str, key: str, name: str, words: str) -> None:
+        """By the key alone, if no other table has another text for it."""
+        if words and self.found[kind].setdefault(key, self.put(words)) != self.put(words):
+            self.found[kind][name] = self.put(words)
+
+    def _named(self, quantity: Quantity, symbol: Symbol | None) -> str:
+        meaning = said(quantity.meaning, self.page.tr)
+        return meaning if symbol is None else f"{Plain(self.page.tr).symbol(symbol)} – {meaning}"
+
+    def _told(self, chapter: str, found: Any, table: Table | None, of: Column | Value) -> _Told | None:
+        """By the first way that says with which numbers, else by the first."""
+        name = of.key if table is None else f"{table.name}.{of.key}"
+        ways = list(_ways(chapter, name))
+        if table is not None and isinstance(of, Column) and (kind := by_kind(table, of, of.key)) is not None:
+            ways.append((kind, ()))
+        every = (self._one(way, parts, found, table, of) for way, parts in ways)
+        first = next(every, None)
+        return first if first is None or first.says else next((one for one in every if one.says), first)
+
+    def _one(
+        self, way: Way, parts: tuple[str, ...], found: Any, table: Table | None, of: Column | Value
+    ) -> _Told:
+        row = None if table is None else _row(table, self.sample)
+        known = _Asking(self.book, table, row, parts, of.key, found)
+        lines: list[Line] = []
+        if table is None or "position" in table or len(table) == 1:  # else each row has its own
+            lines += way.worked(found, known) if way.worked is not None else ()
+            lines += _formula(way, known, of)
+        list(known.inputs(known.named(way.of)))
+        own = f"{table.name}.{of.key}" if table is not None else of.key
+        starts = [self._start(*one) for name, one in known.asked.items() if name != own]
+        return _Told(way, list(dict.fromkeys(map(self._line, lines))), starts[:MOST])
+
+    def _line(self, line: Line) -> str:
+        if id(line) not in self.written:
+            self.written[id(line)] = line, self._written(line)
+        return self.written[id(line)][1]
+
+    def _written(self, line: Line) -> str:
+        match line:
+            case Message():
+                return line.render(self.page.tr.gettext)
+            case Input():
+                named = (
+                    Plain(self.page.tr).symbol(line.symbol) if line.symbol is not None else line.quantity.key
+                )
+                between = ": " if isinstance(line.number, str) else " = "
+                return f"{named}{between}{self._number(line)}"
+            case _:
+                return text(line, self.page.tr)
+
+    def _start(self, column: str | None, one: Input) -> Start:
+        if column is not None:
+            if column not in self.named:
+                self.named.add(column)
+                self._keep("meanings", one.quantity.key, column, self._named(one.quantity, one.symbol))
+            return column
+        of = one.quantity
+        if id(of) not in self.written:
+            self.written[id(of)] = of, self._named(of, one.symbol)
+        sign = self.written[id(of)][1] if one.symbol is of.symbol else self._named(of, one.symbol)
+        return sign, self._number(one)
+
+    def _number(self, one: Input) -> str:
+        if isinstance(one.number, str):
+            return one.number
+        return number(one.number, DIGITS, self.page.tr.decimal, scale=0.0) + gap(one.unit, self.page.tr)
+
+
+@dataclass(frozen=True, eq=False)
+class _Asking(Known):
+    """It keeps what was asked for: name -> the column, where the number is one of the rows, and the number."""
+
+    asked: dict[str, tuple[str | None, Input]] = field(default_factory=dict)
+
+    def _input(self, name: str) -> Input:
+        one = super()._input(name)
+        table, _, key = name.rpartition(".")
+        column = None
+        if self.row is not None and self.table is not None and len(self.table) > 1:
+            if not table and key in self.table:
+                column = f"{self.table.name}.{key}"
+            elif table in self.book.tables and len(self.book.tables[table]) > 1:
+                column = name
+        self.asked.setdefault(column or name, (column, one))
+        return one
+
+
+def _row(table: Table, sample: int) -> int | None:
+    """That of position `sample`, where the table has it."""
+    if not len(table):
+        return None
+    at = [int(k) for k in table["position"].values] if "position" in table else []
+    return at.index(sample) if sample in at else 0
+
+
+def _formula(way: Way, known: Known, of: Column | Value) -> Iterator[Formula]:
+    """The formula of a way, where the variant has what it is made of, and the number is there."""
+    if way.by is None:
+        return
+    with suppress(KeyError), np.errstate(invalid="ignore", divide="ignore"):
+        expression = way.by(known)
+        unit = of.unit_of(known.row or 0) if isinstance(of, Column) else of.unit
+        symbol = of.quantity.symbol or Symbol(of.key)
+        formula = Formula(symbol, expression, unit, scale=0.0)
+        if np.isfinite(formula.value):
+            yield formula
 
 
 @cache
-def _own(chapter: str, name: str) -> str:
-    """The sentence of a chapter's way to a number, "" where it has none."""
+def _ways(chapter: str, name: str) -> tuple[tuple[Way, tuple[str, ...]], ...]:
+    """A chapter's ways to a number, in their order, with what their stars stand for."""
     whole, starred = _telling(chapter)
-    table = name.partition(".")[0]
-    every = (*whole.get(name, ()), *starred.get(table, ()), *starred.get("*", ()))
-    found = [one for one in every if one.fits(name)]
-    return min(found, key=lambda one: one.order).way.text if found else ""
+    table, _, key = name.partition(".")
+    places = (f"{table}.{key[:1]}", f"{table}.", table[:1] if not key else "", "")
+    every = (
+        *whole.get(name, ()),
+        *(one for place in dict.fromkeys(places) for one in starred.get(place, ())),
+    )
+    near = (one for one in every if name.startswith(one.start) and name.endswith(one.end))
+    found = ((one.way, fits(one.pattern, name)) for one in sorted(near, key=lambda one: one.order))
+    return tuple((way, parts) for way, parts in found if parts is not None)
 
 
 class _Named(NamedTuple):
-    """A way by one of its names, of which `parts` stand between the stars: the way's own patterns are dear to make."""
+    """A way by one of its names; with what this begins and ends."""
 
     order: int
-    parts: list[str]
+    pattern: str
+    start: str
+    end: str
     way: Way
-
-    def fits(self, name: str) -> bool:
-        start, *rest = self.parts
-        if not rest:
-            return True
-        if not (name.startswith(start) and name.endswith(rest[-1])):
-            return False
-        if len(rest) > 1:
-            return self.way.fits(name) is not None
-        return (
-            len(name) >= len(start) + len(rest[0]) and "." not in name[len(start) : len(name) - len(rest[0])]
-        )
 
 
 @cache
 def _telling(chapter: str) -> tuple[dict[str, list[_Named]], dict[str, list[_Named]]]:
-    """The ways that say something: by whole names, and, of those with stars, by their table, "*"
-    where a star stands in it."""
+    """A chapter's ways: by whole names, and, of those with stars, by their table and the letter behind it, as far as
+    there is no star; of single numbers by their first letter."""
     whole: dict[str, list[_Named]] = {}
     starred: dict[str, list[_Named]] = {}
     for order, way in enumerate(room(chapter, "ways").WAYS):
-        for key in way.keys.split() if way.text else ():
-            parts, table = key.split("*"), key.partition(".")[0]
-            home = whole if len(parts) == 1 else starred
-            at = key if len(parts) == 1 else "*" if "*" in table else table
-            home.setdefault(at, []).append(_Named(order, parts, way))
+        for key in way.keys.split():
+            parts = key.split("*")
+            table, dot, rest = parts[0].partition(".")
+            at = f"{table}.{rest[:1]}" if dot else table[:1] if "." not in key else ""
+            home, at = (whole, key) if len(parts) == 1 else (starred, at)
+            home.setdefault(at, []).append(_Named(order, key, parts[0], parts[-1], way))
     return whole, starred
 
 

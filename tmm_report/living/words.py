@@ -29,6 +29,7 @@ WORDS = {
     "close": N_("Close"),
     "formula": N_("The formula"),
     "begins": N_("It begins with:"),
+    "starts": N_("It starts with:"),
     "likewise": N_("The note writes out other positions; this is found in the same way."),
     "fold": N_("Show or hide the mechanism"),
 }

@@ -13,10 +13,8 @@ in what a way is made of for what the first star stands for. A table of the diag
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
-from functools import cache, cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -65,19 +63,33 @@ class Way:
     worked: Callable[[Any, Known], Iterable[Line]] | None = None
     beside: bool = False
 
-    @cached_property
-    def _patterns(self) -> list[re.Pattern[str]]:
-        return [_pattern(key) for key in self.keys.split()]
-
     def fits(self, name: str) -> tuple[str, ...] | None:
         """What its stars stand for in a name; None where it is not meant."""
-        found = (pattern.fullmatch(name) for pattern in self._patterns)
-        return next((match.groups() for match in found if match), None)
+        found = (fits(key, name) for key in self.keys.split())
+        return next((parts for parts in found if parts is not None), None)
 
 
-@cache
-def _pattern(name: str) -> re.Pattern[str]:
-    return re.compile("([^.]*)".join(re.escape(part) for part in name.split("*")))
+def fits(pattern: str, name: str) -> tuple[str, ...] | None:
+    """What the stars of a pattern stand for in a name, each for as much as it can but for no dot; None where it is not
+    meant. Without `re`: each way would be compiled for the few names that it is asked for."""
+    start, *rest = pattern.split("*")
+    if not rest:
+        return () if name == start else None
+    return _stars(rest, name[len(start) :]) if name.startswith(start) else None
+
+
+def _stars(parts: list[str], name: str) -> tuple[str, ...] | None:
+    """What stands before each of the parts."""
+    part, *others = parts
+    at = len(name) - len(part) if not others else name.rfind(part)
+    while at >= 0:
+        before, behind = name[:at], name[at + len(part) :]
+        if "." not in before and name.startswith(part, at):
+            found = _stars(others, behind) if others else ()
+            if found is not None:
+                return (before, *found)
+        at = name.rfind(part, 0, at + len(part) - 1) if others and at + len(part) > 0 else -1
+    return None
 
 
 def summed(prefix: str, but: str = "") -> Callable[[Known], Expr]:
@@ -222,12 +234,12 @@ class Known:
         elif (
             not table
             and self.table is not None
-            and any(_pattern(key).fullmatch(c.key) for c in self.table.columns)
+            and any(fits(key, c.key) is not None for c in self.table.columns)
         ):
             known = (c.key for c in self.table.columns)
         else:
             known = self.book.values
-        return [one for one in known if _pattern(name).fullmatch(one) and one != self.own]
+        return [one for one in known if fits(name, one) is not None and one != self.own]
 
 
 def _cell(table: Table, key: str, row: int) -> Input:

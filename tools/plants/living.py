@@ -7,6 +7,7 @@ from faults import Fault
 LIVING, SCRIPT = "tmm_report/living/", "templates/living/"
 MOVES = ("tests/living/test_living_moves.py",)
 LOADS = ("tests/living/test_living_loads.py",)
+TOLD = ("tests/living/test_living_told.py",)
 PACE = ("tests/living/test_living_pace.py",)
 DATA, SEEN = ("tests/living/test_living_data.py",), ("tests/living/test_living_page.py",)
 
@@ -57,6 +58,15 @@ FAULTS = (
           "const controls = element(",
           'document.body.append(element("select", {}, element("option", {}, "1")));\n  const controls = element(',
           "compressor", ("tests/page/drawings/test_measured_on_paper.py",)),
+    Fault("a click works out position 0 in place of that of the note", LIVING + "told.py",
+          "return at.index(sample) if sample in at else 0", "return 0", "compressor", TOLD),
+    Fault("a click starts with the numbers of position 0", SCRIPT + "fellows.js",
+          "text(of.values[place])", "text(of.values[0])", "compressor", TOLD),
+    Fault("a vector without a formula of its own is told by none", SCRIPT + "fellows.js",
+          'return ["_x", "_y"].map((c) => formulaOf(key + c, row)).filter(Boolean);', "return [];", "compressor", TOLD),
+    Fault("a star in the name of a number stands for a dot", "tmm_report/quantity/ways.py",
+          'if "." not in before and name.startswith(part, at):', "if name.startswith(part, at):", "compressor",
+          ("tests/quantity/test_fitting_names.py",)),
     Fault("each frame measures and paints the whole page", SCRIPT + "living.css",
           ".living main > * { position: relative; }", "", "compressor", PACE),
     Fault("figures have no names but their own", "tmm_report/figures/drawing.py",
