@@ -73,9 +73,9 @@ function livePlan(figure, plan) {
       const [x, y] = n ? [value(n[0]), value(n[1])] : [null, null];
       return x === null || y === null ? null : [x, y];
     });
-    // the figure keeps its room: a plan that does not fit is drawn smaller, its letters and lines are not
+    // the figure keeps its size: a plan that does not fit is drawn smaller, its letters and lines are not
     const box = roomFor(nodes, own);
-    const larger = Math.max(box[2] / own[2], box[3] / own[3]);
+    const larger = box[2] / own[2];
     change(svg, "viewBox", box.join(" "));
     says(figure, `φ = ${text(where.at, 4)}°${larger > 1.001 ? `, ${text(1 / larger, 2)} : 1` : ""}`);
     for (const { one, from, to } of free) {
@@ -99,12 +99,15 @@ function livePlan(figure, plan) {
   };
 }
 
-// What the plan needs, its own room at least: left, top, width and height, mm, y down.
+// The room of the plan, moved as little as holds it, larger where it is too small: left, top, width and height, mm, y down.
 function roomFor(nodes, [x, y, w, h]) {
   const there = nodes.filter(Boolean);
-  const [us, vs] = [0, 1].map((c) => there.map((n) => n[c]));
-  const [left, top] = [Math.min(x, Math.min(...us) - 5), Math.min(y, -Math.max(...vs) - 5)];
-  return [left, top, Math.max(x + w, Math.max(...us) + 5) - left, Math.max(y + h, 5 - Math.min(...vs)) - top];
+  if (!there.length) return [x, y, w, h];
+  const ends = (values) => [Math.min(...values) - 5, Math.max(...values) + 5];
+  const [[left, right], [top, bottom]] = [ends(there.map((n) => n[0])), ends(there.map((n) => -n[1]))];
+  const by = Math.max(1, (right - left) / w, (bottom - top) / h);
+  const held = (own, size, from, to) => Math.min(Math.max(own + (size - by * size) / 2, to - by * size), from);
+  return [held(x, w, left, right), held(y, h, top, bottom), by * w, by * h];
 }
 
 function liveChart(figure, chart) {

@@ -25,6 +25,13 @@ function liveMoves(figure, { still, bare, parts, box }) {
       let angle = part.rate * whole;
       if (part.turns) angle = along(part.at, part.turns);
       if (part.pitch) angle = (((angle % part.pitch) + 1.5 * part.pitch) % part.pitch) - part.pitch / 2;
+      if (part.rise) {
+        // from the side: in front of the axis it is seen, behind it not
+        const [up, front] = [Math.sin, Math.cos].map((f) => part.rise * f((angle * Math.PI) / 180));
+        shapes[0][0].setAttribute("transform", `translate(0 ${-up})`);
+        shapes[0][0].style.display = front > 0 ? "" : "none";
+        continue;
+      }
       const orbit = (part.about ?? 0) * whole;
       for (const [one, k] of shapes) {
         const own = turn(angle - orbit + k * (part.pitch ?? 0), part.centre);

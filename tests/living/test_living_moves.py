@@ -15,6 +15,7 @@ from conftest import solved
 from test_living_data import data, page
 from test_living_page import opened, run
 
+from tmm_report.chapters.gears.drive.draw.sketch import CLEAR
 from tmm_report.results import tables
 
 
@@ -67,6 +68,33 @@ def drawn_radius(part: dict[str, Any]) -> float | None:
     """Of the working circle, which has dots and dashes; None of a part without one."""
     circles = [c for c in re.findall(r"<circle[^>]*>", part["svg"]) if "stroke-dasharray" in c]
     return float(re.search(r' r="([\d.]+)"', circles[0])[1]) if circles else None
+
+
+def marks(name: str) -> list[dict[str, Any]]:
+    return [part for one in moves(name).values() for part in one["parts"] if "rise" in part]
+
+
+@pytest.mark.parametrize("name", ["hoist_drive", "conveyor_drive"])
+def test_marks_of_wheels_from_the_side_pass_one_another_as_fast(name):
+    """Those of two wheels in mesh, at their pitch lines; each wheel has a mark in front of its axis and one behind."""
+    speeds = next(t for t in tables(solved(name)) if t.name == "drive_speeds")
+    omega = dict(zip(map(str, speeds["member"].values), speeds["omega"].numbers(), strict=True))
+    largest = max(map(abs, omega.values()))
+    found = {}
+    for part in marks(name):
+        found.setdefault(round(part["rate"], 9), []).append(part["rise"])
+    assert all(sum(rises) == 0 for rises in found.values())
+    pair = next(
+        stage for stage in solved(name).drive.stages if type(stage).__module__.endswith("spur.solve.pair")
+    )
+    ones = [omega[member] / largest for member in (pair.input, pair.output)]
+    fast = [rate * min(abs(r) + CLEAR for r in found[round(rate, 9)]) for rate in ones]
+    assert any(
+        rate * (abs(r) + CLEAR) == pytest.approx(-other * (abs(q) + CLEAR), rel=2e-3)
+        for rate, other in [ones]
+        for r in found[round(rate, 9)]
+        for q in found[round(other, 9)]
+    ), fast
 
 
 def test_the_cycle_turns_the_fastest_shaft_once():
@@ -131,6 +159,20 @@ def test_pictures_move_and_come_back(name):
     for one in seen(name).values():
         assert one["hidden"] and one["print"] and one["back"]
         assert one["shown"][0] != one["shown"][1]
+
+
+def test_a_mark_is_seen_in_front_of_its_axis():
+    """At a height that is its radius times the sine of the angle by which its wheel has turned."""
+    checked = 0
+    for anchor, one in moves("hoist_drive").items():
+        parts = [part for part in one["parts"] if "rise" in part]
+        for at, shown in zip((5, 47, 101), seen("hoist_drive")[anchor]["shown"], strict=True):
+            turned = [(part["rise"], math.radians(part["rate"] * at)) for part in parts]
+            wanted = [-rise * math.sin(angle) for rise, angle in turned if rise * math.cos(angle) > 0]
+            if parts:
+                assert [part[3] for part in shown] == pytest.approx(wanted, abs=1e-3)
+                checked += len(wanted)
+    assert checked >= 9
 
 
 def test_the_cam_turns_by_the_angle_that_is_shown():

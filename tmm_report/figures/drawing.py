@@ -118,8 +118,9 @@ class Acts(NamedTuple):
 class Moving(NamedTuple):
     """What moves of a drawing: `items`, about `centre` as member `of` of a drive turns, in the `sense` that is drawn, 0
     where that is the member's own; the centre about the origin as member `about` does. `pitch`: of teeth, rad, of which
-    one is drawn; those in the middle of the sheet, `half` mm wide to either side, are seen. Without a member: `turns`,
-    rad, and `ways`, mm, at the angles `at` of a cycle, rad."""
+    one is drawn; those in the middle of the sheet, `half` mm wide to either side, are seen. `rise`: of a mark on a
+    wheel seen from the side, its radius, mm: it goes up in front of the axis; below zero it is behind it at first.
+    Without a member: `turns`, rad, and `ways`, mm, at the angles `at` of a cycle, rad."""
 
     items: tuple[Item, ...]
     centre: complex = 0j
@@ -128,6 +129,7 @@ class Moving(NamedTuple):
     about: str = ""
     pitch: float = 0.0
     half: float = 0.0
+    rise: float = 0.0
     at: tuple[float, ...] = ()
     turns: tuple[float, ...] = ()
     ways: tuple[complex, ...] = ()

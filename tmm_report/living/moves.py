@@ -1,4 +1,5 @@
-"""Pictures whose parts move of themselves: wheels in mesh, a planetary stage, a cam under its follower.
+"""Pictures whose parts move of themselves: wheels in mesh, a planetary stage, a drive from the side, a cam under its
+follower.
 
 What turns with what, and how fast, is the drive's: its table of speeds. The shaft whose turn is one turn of the cycle
 is the crank where the drive turns that, else the fastest of the drive.
@@ -60,6 +61,8 @@ def _part(part: Moving, rates: Mapping[str, float]) -> dict[str, Any]:
     }
     if part.about:
         said["about"] = rates[part.about]
+    if part.rise:
+        said["rise"] = round(part.rise, 3)
     if part.pitch:
         said |= {"pitch": np.degrees(part.pitch), "half": part.half}
     if part.at:

@@ -23,7 +23,7 @@ def kinematic_scheme(
 ) -> Drawing:
     """The scheme alone, with the numbers of the wheels and the speeds of the input and the output."""
     sketch = scheme(stages, plans, speed)
-    return Drawing(tuple(sketch.items), title).labelled(sketch.tags)
+    return Drawing(tuple(sketch.items), title, moves=sketch.moves).labelled(sketch.tags)
 
 
 def velocities(stages: Sequence[Stage], plans: Plans, speed: Mapping[str, float], title: str = "") -> Drawing:
@@ -40,7 +40,8 @@ def velocities(stages: Sequence[Stage], plans: Plans, speed: Mapping[str, float]
     items, tags = [*guides, *sketch.items, *linear.items()], [*sketch.tags, *linear.tags()]
     segments = [line_.s for line_ in plans.lines]
     angular = _Angular(plans, complex(left + 2 - min(0.0, *segments), bottom - GAP))
-    return Drawing((*items, *angular.items()), title).labelled([*tags, *angular.tags()])
+    whole = Drawing((*items, *angular.items()), title, moves=sketch.moves)
+    return whole.labelled([*tags, *angular.tags()])
 
 
 def beside(stages: Sequence[Stage], plans: Plans, speed: Mapping[str, float]) -> bool:

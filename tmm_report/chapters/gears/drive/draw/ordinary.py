@@ -44,6 +44,7 @@ def _pulley(sketch: Sketch, one: Member, x: float) -> None:
         sketch.rim(x, edge, FACE)
     for side in (-FACE, FACE):
         sketch.items.append(line(complex(x + side, y - half), complex(x + side, y + half), NORMAL))
+    sketch.mark(x, y, half, one.name, FACE)
     sketch.cross(x, y)
     _named(sketch, one, x + FACE, y, half)
 

@@ -117,6 +117,8 @@ class _Planetary:
             sketch.web(one.web, self._inner(one, side), self.y + side * half)
         if held:
             self._ground(one.web, self.y - self.up * half, -self.up)
+        else:
+            sketch.mark(one.web, self.y, half, one.member.name)
         at = complex(one.web - RIM, self.y + self.up * (half / 2 if held else half))
         sketch.name(one.member.name, at, complex(-1, -self.up))
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import field
 
 from tmm_report.chapters.gears.drive.plans import Plans
-from tmm_report.figures.drawing import NORMAL, THICK, Item, Tag, line
+from tmm_report.figures.drawing import NORMAL, THICK, Item, Moves, Moving, Pen, Tag, line
 from tmm_report.figures.lettering import symbol
 from tmm_report.figures.schemes.marks import ground, turning
 from tmm_report.mechanics.gears.trains import Member
@@ -18,6 +18,7 @@ CLEAR = 0.45  # of a rim from its pitch line: two rims in mesh stand apart by tw
 DISC = 11.0  # from a row to the web of a turning ring
 SIDE = 2.0  # free space beside a stage
 CROSS = 0.9
+MARK = Pen(0.4, "red")  # of a wheel as it turns on the screen
 
 
 @dataclass
@@ -28,7 +29,12 @@ class Sketch:
     speed: Mapping[str, float]
     items: list[Item] = field(default_factory=list)
     tags: list[Tag] = field(default_factory=list)
+    marks: list[Moving] = field(default_factory=list)  # for the screen: two on every wheel that is seen whole
     x: float = 0.0
+
+    @property
+    def moves(self) -> Moves | None:
+        return Moves(tuple(self.marks), ()) if self.marks else None
 
     def y(self, member: Member) -> float:
         """The height of a member's axis."""
@@ -48,6 +54,11 @@ class Sketch:
 
     def rim(self, x: float, y: float, reach: float = RIM) -> None:
         self.items.append(line(complex(x - reach, y), complex(x + reach, y), THICK))
+
+    def mark(self, x: float, y: float, half: float, name: str, reach: float = RIM) -> None:
+        for rise in (half, -half):
+            along = line(complex(x - reach, y), complex(x + reach, y), MARK)
+            self.marks.append(Moving((along,), of=name, rise=rise))
 
     def web(self, x: float, start: float, end: float) -> None:
         self.items.append(line(complex(x, start), complex(x, end), NORMAL))
