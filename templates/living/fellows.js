@@ -146,7 +146,7 @@ function starts(name, k) {
   });
 }
 
-const listed = (pairs) => element("ul", {}, ...pairs.map(([sign, number]) => element("li", {}, sign, number && ": ", element("b", {}, number))));
+const listed = (pairs) => element("ul", {}, ...pairs.map(([sign, number]) => element("li", {}, ...signed(sign), number && ": ", element("b", {}, number))));
 
 async function explain(one) {
   texts ??= await tellings();
@@ -155,13 +155,13 @@ async function explain(one) {
   const close = () => box.close();
   box.append(element("button", { type: "button", class: "close", "aria-label": words.close, click: close }, "×"));
   const meaning = told("meanings", one.dataset);
-  box.append(element("p", { class: "head" }, meaning || q, k === undefined || !one.dataset.t?.endsWith("_table") ? "" : `, ${words.position.toLowerCase()} ${k}`, ": ", element("b", {}, one.textContent)));
+  box.append(element("p", { class: "head" }, ...signed(meaning || q), k === undefined || !one.dataset.t?.endsWith("_table") ? "" : `, ${words.position.toLowerCase()} ${k}`, ": ", element("b", {}, one.textContent)));
   const way = told("ways", one.dataset);
   if (way) box.append(element("p", {}, way));
   const name = nameOf(one.dataset);
   const worked = texts.worked[name] ?? [];
   if (worked.length && name.includes("_table.") && Number(k) !== texts.sample) box.append(element("p", {}, `${words.position} ${texts.sample}:`));
-  if (worked.length) box.append(element("p", { class: "worked" }, worked.map((n) => texts.texts[n]).join("\n")));
+  if (worked.length) box.append(element("p", { class: "worked" }, ...signed(worked.map((n) => texts.texts[n]).join("\n"))));
   const from = starts(name, k);
   if (from.length) box.append(element("p", { class: "section" }, words.starts), listed(from));
   const leading = derivation(q, k);
@@ -176,8 +176,8 @@ async function explain(one) {
     box.append(element("div", { class: "formula" }, copy, back));
   }
   const begins = beginnings(leading);
-  const signed = (b) => [told("meanings", b.dataset) || b.dataset.q, b.textContent];
-  if (begins.length) box.append(element("p", { class: "section" }, words.begins), listed(begins.map(signed)));
+  const meant = (b) => [told("meanings", b.dataset) || b.dataset.q, b.textContent];
+  if (begins.length) box.append(element("p", { class: "section" }, words.begins), listed(begins.map(meant)));
   box.append(element("p", { class: "where" }, `results.json: ${name.includes(".") ? "tables" : "values"}.${name}`));
   box.addEventListener("click", (event) => event.target === box && close());
   box.addEventListener("close", () => box.remove());

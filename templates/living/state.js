@@ -28,11 +28,9 @@ function say(one, said) {
   if (one.firstChild.data !== said) one.firstChild.data = said;
 }
 
-// A symbol as the note has it: M_bal with its index below.
-function signed(sign) {
-  const [base, ...below] = sign.split("_");
-  return [element("i", {}, base), ...(below.length ? [element("sub", {}, below.join(", "))] : [])];
-}
+// Symbols in plain text with their indices below and above: M_bal, R_12^x.
+const INDEX = /(_(?:[\p{L}\p{N}]|,(?=[\p{L}\p{N}]))+|\^[\p{L}\p{N}]+)/u;
+const signed = (said) => said.split(INDEX).map((part) => (part[0] === "_" ? element("sub", {}, part.slice(1)) : part[0] === "^" ? element("sup", {}, part.slice(1)) : part));
 
 const text = (x, digits = 5) => {
   if (x === null || x === undefined) return "–";

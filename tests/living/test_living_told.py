@@ -142,7 +142,7 @@ def test_a_vector_stands_upon_the_formulas_of_its_components():
         found = run(talk, CLICKED % ("v_B", 7, "comparison_7"))
         force = run(talk, CLICKED % ("R_24", 7, "force_comparison_7"))
     assert (
-        "v_B^x = " in found["worked"]
+        "vBx = " in found["worked"]
         and found["where"].endswith("rates_table.v_B")
         and len(found["places"]) > 5
     )
