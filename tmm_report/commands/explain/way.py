@@ -49,10 +49,10 @@ class Ways:
     def told(self, target: Target) -> Told | None:
         """The way to a number: the first that says with which numbers; None where its chapter has none."""
         chapter, found = self._chapter(target)
-        ways = list(own_ways(room(chapter, "ways").WAYS, target.name.partition(".")[2]))
-        if (kind := by_kind(target.table, target.column, target.quantity.key)) is not None:
-            ways.append((kind, ()))
-        every = (self._one(target, found, way, parts) for way, parts in ways)
+        own = own_ways(room(chapter, "ways").WAYS, target.name.partition(".")[2])
+        kind = by_kind(target.table, target.column, target.quantity.key)
+        of_kind = [(kind, ())] if kind is not None else []
+        every = (self._one(target, found, way, parts) for way, parts in chain(own, of_kind))
         first = None
         for told in every:
             if told.says:
