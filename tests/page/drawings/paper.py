@@ -43,7 +43,8 @@ def _strokes(content: bytes) -> Iterator[Stroke]:
     matrix: Matrix = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
     saved: list[Matrix] = []
     path: list[complex] = []
-    words = content.split()
+    # Typst has no space before what begins by its own sign
+    words = content.replace(b"/", b" /").replace(b"[", b" [").split()
     for k, word in enumerate(words):
         if word == b"l" or word == b"m":
             if word == b"m" and path:
