@@ -31,6 +31,7 @@ from tmm_report.course import Results
 from tmm_report.i18n import Translator
 from tmm_report.languages import LANGUAGES
 from tmm_report.loading import loads
+from tmm_report.profiles import shipped
 
 OPTIONS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-extensions",
@@ -68,7 +69,7 @@ PAGES: dict[str, Callable[[], bytes]] = {
 PRINTED = {"compressor-ru", "compressor-en", "assemblies"}
 QUICK, QUICK_PRINTED = {"compressor-ru", "assemblies"}, {"crank_rocker-ru", "wide-ru"}
 FONTS = Path(matplotlib.get_data_path()) / "fonts" / "ttf"  # the same on every machine
-TEXT = 624  # CSS pixels of the text of A4, 165 mm
+PIXELS = 96 / 25.4  # CSS pixels of 1 mm
 
 # What the page itself can tell, in CSS pixels.
 MEASURES = """
@@ -123,7 +124,13 @@ def in_print(quick: bool) -> dict[str, dict[str, Any]]:
     makers = notes | {f"wide-{language}": partial(a_wide_note, language) for language in LANGUAGES}
     chosen = {name: make for name, make in makers.items() if (name in QUICK_PRINTED) == quick}
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder, browser(Path(folder)) as talk, sheet(talk):
-        return {name: laid_out(talk, Path(folder) / "note.html", make()) for name, make in chosen.items()}
+        place = Path(folder) / "note.html"
+        return {name: laid_out(talk, place, make(), text_of(name)) for name, make in chosen.items()}
+
+
+def text_of(name: str) -> float:
+    """The width of the text by the profile of the note's language, mm."""
+    return shipped(LANGUAGES[name.rpartition("-")[2]].profile).margins.left_of_a4[0]
 
 
 @contextmanager
@@ -138,12 +145,12 @@ def sheet(talk: Talk) -> Iterator[None]:
     talk.ask("Target.closeTarget", **target)
 
 
-def laid_out(talk: Talk, file: Path, content: bytes, width: float = 165) -> dict[str, Any]:
+def laid_out(talk: Talk, file: Path, content: bytes, width: float) -> dict[str, Any]:
     """On a `sheet`; `width`: of the text of the page, mm."""
     file.write_bytes(content)
     talk.ask(
         "Emulation.setDeviceMetricsOverride",
-        width=round(width * 96 / 25.4),
+        width=round(width * PIXELS),
         height=1200,
         deviceScaleFactor=1,
         mobile=False,

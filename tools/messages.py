@@ -107,12 +107,13 @@ def glossary(language: str) -> dict[str, list[str]]:
 def misnamed(catalogue: Catalog, terms: dict[str, list[str]]) -> list[str]:
     """Translations in which a thing of the glossary is called otherwise, and terms that no text has.
 
-    A term that stands in the translation as it is in English is a key of a variant there.
+    A term that stands in the translation as it is in English is a key of a variant there; a part of a compound
+    (slider-crank) is not the term. Books and standards are called as they were published.
     """
     wrong = []
-    worded = [(entry, _words(entry.id)) for entry in messages(catalogue)]
+    worded = [(entry, _words(entry.id)) for entry in messages(catalogue) if not published(entry)]
     for term, names in terms.items():
-        named = re.compile(rf"\b{re.escape(term)}\b", re.I)
+        named = re.compile(rf"(?<![\w-]){re.escape(term)}(?![\w-])", re.I)
         texts = [entry for entry, words in worded if named.search(words)]
         wrong += [
             f"{term!r} is not called {' or '.join(names)}: {as_forms(entry.string)[0]!r}"
@@ -122,6 +123,11 @@ def misnamed(catalogue: Catalog, terms: dict[str, list[str]]) -> list[str]:
         ]
         wrong += [] if texts else [f"{term!r} is in no text"]
     return wrong
+
+
+def published(entry: Message) -> bool:
+    """Whether a text is a book's or standard's entry in the list of sources."""
+    return {file for file, _ in entry.locations} == {"tmm_report/report/sources.py"}
 
 
 def as_forms(text: str | tuple[str, ...] | list[str]) -> list[str]:
@@ -135,9 +141,12 @@ def _words(text: str | tuple[str, ...]) -> str:
 
 
 def _called(name: str, text: str) -> bool:
-    """Whether a text has the name, with any endings where the name is inflected."""
+    """Whether a text has the name, with any endings where the name is inflected; a value may be joined to its last
+    word, as in Kazakh: "жетекші %(link)s-буын" is a "жетекші буын|"."""
     words = (word.partition("|") for word in name.split())
-    pattern = r"\s+".join(re.escape(stem) + (r"\w*" if bar else r"\b") for stem, bar, _ in words)
+    pattern = r"\s+(?:%\(\w+\)\w-)?".join(
+        re.escape(stem) + (r"\w*" if bar else r"\b") for stem, bar, _ in words
+    )
     return re.search(rf"\b{pattern}", text, re.I) is not None
 
 

@@ -14,6 +14,8 @@ import pytest
 import yaml
 from pages_of_docs import ROOT
 
+from tmm_report.languages import LANGUAGES
+
 pytestmark = pytest.mark.exhaustive
 JOBS = ("github-actions.yml", "gitlab-ci.yml")
 
@@ -60,6 +62,11 @@ def test_the_wheel_is_for_every_system_and_holds_what_is_needed(wheel):
     names = zipfile.ZipFile(wheel).namelist()
     for file in ("templates/report.html.j2", "variants/shaper.yaml", "templates/locale/ru/format.yaml"):
         assert f"tmm_report/_data/{file}" in names
+    languages = [code for code, row in LANGUAGES.items() if not row.ids]
+    assert {name for name in names if name.endswith("/note.mo")} == {
+        f"tmm_report/_data/templates/locale/{code}/LC_MESSAGES/note.mo" for code in languages
+    }
+    assert not [name for name in names if name.endswith((".po", ".md"))]
 
 
 @pytest.mark.parametrize("job", JOBS)

@@ -8,9 +8,11 @@ import shutil
 import sys
 
 import pytest
+from babel.messages.catalog import Catalog
 from catalogues import TOOLS, messages
 
 from tmm_report.languages import LANGUAGES, Language
+from tmm_report.report.sources import SOURCES
 
 FOREIGN = Language(
     "qaa",
@@ -48,6 +50,43 @@ def test_what_is_right_is_kept_and_the_rest_counted(tool, capsys):
     assert every - lost == 2 and every > 5000
     code, told = take(tool, capsys, Position="вг")
     assert f"qaa: {lost - 1} of {every} are missing" in told, "what was taken before is there still"
+
+
+def test_a_standard_published_in_english_keeps_its_title(tool, capsys):
+    titles = [text for text in SOURCES.values() if "(in Russian)" not in text]
+    assert titles
+    _, told = take(tool, capsys, **{title: title for title in titles})
+    assert "0 are wrong" in told, told
+    others = [text for text in SOURCES.values() if text.startswith("GOST")]
+    assert others
+    _, told = take(tool, capsys, **{title: title for title in others})
+    assert told.count("left in English") == len(others)
+
+
+@pytest.mark.parametrize(
+    ("id", "said", "told"),
+    [
+        ("Driving link %(link)s", "Жетекші %(link)s-буын", []),
+        ("Driving link %(link)s", "Жетекші %(link)s-шатун", ["driving link"]),
+        ("Driving link", "Жетекші буынның", []),
+        ("Slider-crank", "Кривошипті-сырғымалы", []),
+        ("The crank", "Кривошип", ["crank"]),
+        (SOURCES["rack"], "ГОСТ 13755–2015", []),
+    ],
+)
+def test_a_thing_called_otherwise_is_told(id, said, told):
+    tool = messages()
+    terms = {
+        "driving link": ["жетекші буын|"],
+        "crank": ["айналша|қ"],
+        "rack": ["рейка|"],
+        "involute": ["эвольвент|а"],
+    }
+    file = "tmm_report/report/sources.py" if id in SOURCES.values() else "some.j2"
+    catalogue = Catalog("kk")
+    catalogue.add(id, said, locations=[(file, 0)])
+    found = [text for text in tool["misnamed"](catalogue, terms) if "is in no text" not in text]
+    assert [text.split("'")[1] for text in found] == told
 
 
 WRONG = {

@@ -42,12 +42,19 @@ def test_the_licence():
 @pytest.mark.parametrize("file", ["py.typed", "__init__.py", "cli.py"])
 def test_the_wheel_ships(file):
     wheel = PYPROJECT["tool"]["hatch"]["build"]["targets"]["wheel"]
-    assert wheel["packages"] == ["tmm_report"] and not {"exclude", "include", "only-include"} & wheel.keys()
+    assert "tmm_report" in wheel["only-include"] and not {"packages", "include"} & wheel.keys()
+    assert not any(Path("tmm_report", file).match(pattern) for pattern in wheel["exclude"])
     assert (ROOT / "tmm_report" / file).is_file()
     ignored = (ROOT / ".gitignore").read_text("utf-8").split()
     assert not any(Path("tmm_report", file).match(pattern) for pattern in ignored)
 
 
 def test_the_data_are_shipped():
-    shipped = PYPROJECT["tool"]["hatch"]["build"]["targets"]["wheel"]["force-include"]
-    assert set(shipped) == {"templates", "variants"} and all((ROOT / folder).is_dir() for folder in shipped)
+    """All but what only developers read; `tests/docsite/test_wheel.py` builds one."""
+    wheel = PYPROJECT["tool"]["hatch"]["build"]["targets"]["wheel"]
+    shipped = {"templates", "variants"}
+    assert wheel["sources"] == {folder: f"tmm_report/_data/{folder}" for folder in shipped}
+    assert {*wheel["only-include"]} == {"tmm_report", *shipped} and all(
+        (ROOT / folder).is_dir() for folder in shipped
+    )
+    assert {*wheel["exclude"]} == {"*.po", "*.md"}

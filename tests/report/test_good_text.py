@@ -16,6 +16,7 @@ import pytest
 from conftest import solved
 from exhaustive import many
 from notes import NAMES, note
+from spoken import EVERY, LAID_OUT, notes_in
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "page"))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
@@ -24,7 +25,7 @@ from note import read, text_of
 
 from tmm_report import render
 from tmm_report.i18n import Translator
-from tmm_report.languages import LANGUAGES
+from tmm_report.languages import DEFAULT, LANGUAGES
 from tmm_report.quantity.sheet import Q
 from tmm_report.quantity.symbols import Symbol, math_symbol
 from tmm_report.quantity.text import UNITS, unit_text
@@ -32,11 +33,11 @@ from tmm_report.report.sources import SOURCES
 
 CHAPTERS = Path(__file__).resolve().parents[2] / "templates" / "chapters"
 QUICK = ["compressor-ru", "governor_servo-en"]
-NOTES = [*QUICK, *sorted({f"{name}-{language}" for name in NAMES for language in LANGUAGES} - {*QUICK})]
+NOTES, WORDED = (notes_in(languages, NAMES, QUICK) for languages in (LAID_OUT, EVERY))
 JOINER = "\N{WORD JOINER}"
-each = pytest.mark.parametrize(
-    "name", many(NOTES, len(QUICK)), scope="module"
-)  # a note after another, each read once
+# a note after another, each read once
+each = pytest.mark.parametrize("name", many(NOTES, len(QUICK)), scope="module")
+in_every_language = pytest.mark.parametrize("name", many(WORDED, len(QUICK)), scope="module")
 
 
 @lru_cache(maxsize=2)
@@ -52,12 +53,12 @@ def test_every_note_cites_its_sources_within_its_sentences(name):
     assert cited and not [node for node in root.iter("p") if text_of(node).strip().startswith("[")]
 
 
-@each
+@in_every_language
 def test_sources_cited_together_are_parted_as_in_the_language(name):
     variant, _, language = name.rpartition("-")
     text = note(variant, "html", language)["note.html"].decode()
     between = re.findall(r"</a>([^<]+)<a href=\"#source", text)
-    sign = {"ru": ";", "en": ","}[language]
+    sign = {"ru": ";", "en": ",", "uk": ",", "kk": ";"}[language]
     assert {one for one in between if one.strip() in (",", ";")} <= {f"{sign}\N{NO-BREAK SPACE}"}
     assert between or name not in QUICK
 
@@ -74,7 +75,7 @@ def test_sources_are_numbered_in_the_order_in_which_the_text_cites_them(name):
         assert together == sorted(set(together))
 
 
-@each
+@in_every_language
 def test_no_line_ends_between_a_number_and_its_unit(name):
     """By GOST 2.105; in cells, too, but those of the methods and their settings."""
     language = name.rpartition("-")[2]
@@ -87,13 +88,13 @@ def test_no_line_ends_between_a_number_and_its_unit(name):
     assert not [text for text in parted if not re.fullmatch(settings, text)]
 
 
-@each
+@in_every_language
 def test_no_line_ends_within_a_unit_or_within_the_name_of_a_stage(name):
     """As a browser would end it behind a slash and behind a hyphen before a letter."""
     variant, _, language = name.rpartition("-")
     text = note(variant, "html", language)["note.html"].decode()
     words = re.sub(r"<(svg|math|table|script|style|h[1-6])\b.*?</\1>|<[^>]*>", " ", text, flags=re.S)
-    units = rf"(?<![\w./-])(?:рад|об|м|кг|Н|rad|rev|m|kg|N)/{JOINER}?(?:с|мин|м|рад|s|min|m|rad)(?!\w)"
+    units = rf"(?<![\w./-])(?:рад|об|айн|м|кг|Н|rad|rev|m|kg|N)/{JOINER}?(?:с|мин|хв|м|рад|s|min|m|rad)(?!\w)"
     found = re.findall(rf"{units}|\d['′]?-{JOINER}?H\b", words)
     assert not [one for one in found if JOINER not in one] and (found or name not in QUICK)
 
@@ -124,13 +125,29 @@ def test_a_source_has_the_form_of_its_kind(source):
     text = Translator("ru").gettext(SOURCES[source])
     spaced = text.replace("\N{NO-BREAK SPACE}", " ")
     assert len([kind for kind, form in FORMS.items() if re.fullmatch(form, spaced)]) == 1, text
-    # no line begins with a sign, none parts a number from what it counts
+
+
+@pytest.mark.parametrize("language", [row.code for row in LANGUAGES.values() if row.alphabet])
+@pytest.mark.parametrize("source", SOURCES)
+def test_no_line_of_a_source_begins_with_a_sign_or_parts_a_number_from_what_it_counts(source, language):
+    text = Translator(language).gettext(SOURCES[source])
     assert not re.search(r" (?:[:;]|//|с\.)|(?:Vol|P|[А-Я])\. (?:\d|[А-Я]\.)", text)
 
 
 @pytest.mark.parametrize("source", SOURCES)
-def test_a_source_has_the_same_numbers_in_both_languages_and_ends_with_a_stop(source):
-    both = SOURCES[source], Translator("ru").gettext(SOURCES[source])
+def test_a_ukrainian_and_a_kazakh_note_call_a_source_as_it_was_published(source):
+    """A Russian book under its Russian title, a standard in English under its English one."""
+    title, ru = SOURCES[source], Translator("ru").gettext(SOURCES[source])
+    published = title if "(in Russian)" not in title else ru
+    words = set(re.findall(r"[^\W\d_]{4,}", published)) - {"Москва", "Moscow"}
+    for language in ("uk", "kk"):
+        assert words <= set(re.findall(r"[^\W\d_]{4,}", Translator(language).gettext(title)))
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("source", SOURCES)
+def test_a_source_has_the_same_numbers_in_every_language_and_ends_with_a_stop(source, language):
+    both = SOURCES[source], Translator(language).gettext(SOURCES[source])
     one, other = (sorted(re.findall(r"\d+", text)) for text in both)
     assert one == other and all(text.endswith(".") for text in both)
 
@@ -146,13 +163,18 @@ WRONG = {  # what the terms of the course are not called: ISO 1122 and IFToMM in
     r"|(?i:derivatives? [^.:;%]* by the angle)",
     "ru": r"активное средство|амортизатор|коэффициент\w* виброизоляции|Расчёт ведётся|Формула строения"
     r"|(?i:демпфирование лежит|частота оборотов)|—|^[xy] точки|одни пары стойки|оставляет из них|^Покоя$",
+    "uk": r"(?i:слідуюч|являється|співпада|на протязі|по відношенню до|передаточн|окружност|в якості|так як\b)"
+    r"|(?i:зчеплення зуб|плече кулачка|повзунець|степінь рухомості)|—|\b[Пп]ри (?:цьому куті|цьому ході|куті)",
+    "kk": r"(?i:ползун|шатун|коромысло|звено|сермер|программа|алыстау|жылдамдықтар? көпбұрыш)|—",
 }
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_wrong_words_do_not_come_back(language):
-    """In no text of the program, whatever note says it; a note in the other language is read by the same catalogue."""
-    said = [form for entry in messages(merged("ru")) for form in _forms(entry, language)]
+    """In no text of the program, whatever note says it; English is read by the Russian catalogue."""
+    row = LANGUAGES[language]
+    catalogue = merged(DEFAULT if row.ids else language, None if row.messages else "note")
+    said = [form for entry in messages(catalogue) for form in _forms(entry, language)]
     assert len(said) > 5000
     assert not [text for text in said if re.search(WRONG[language], text)]
 

@@ -11,12 +11,12 @@ import pytest
 from browser import wide_results
 from exhaustive import many
 from notes import NAMES, VARIANTS, note, program, render
+from spoken import LAID_OUT
 from typesetting import set_by_tex, typeset
 
 from tmm_report import solve
 from tmm_report.chapters.title.given import Title
 from tmm_report.commands.pdf import bare, compiled
-from tmm_report.languages import LANGUAGES
 from tmm_report.lint import paper
 from tmm_report.lint.made import Made
 from tmm_report.loading import loads
@@ -86,7 +86,7 @@ def test_every_figure_is_written_and_used(name):
 @pytest.mark.parametrize("name", NAMES)
 def test_every_sign_can_be_set(name):
     """A letter that pdflatex has no glyph for is printed as a question mark; the notes ask no questions."""
-    for language in LANGUAGES:
+    for language in LAID_OUT:
         files = note(name, "tex", language)
         assert [file for file, text in files.items() if file.endswith(".tex") and b"?" in text] == []
 

@@ -15,7 +15,10 @@ from tmm_report.problems import N_, Message, Problem
 
 SLACK = 0.2  # mm: lettering may touch its neighbour by so much
 # a scale, a ratio, or words that there is none, in every language of the notes
-SCALED = re.compile(r"μ|:|not to scale|logarithmic|не в масштабе|без масштаба|логарифмические")
+SCALED = re.compile(
+    r"μ|:|not to scale|logarithmic|не в масштабе|без масштаба|логарифмические"
+    r"|без масштабу|не в масштабі|логарифмічні|масштабсыз|логарифмдік"
+)
 
 
 def scales(made: Made) -> Iterator[Problem]:

@@ -78,7 +78,9 @@ def _to(hard: bool, back: bool) -> str:
 
 
 def _is_back(said: str) -> bool:
-    """By the last vowel; у says nothing of its own where another stands before it."""
+    """By the last vowel; у says nothing of its own where another stands before it, and behind ь all is front."""
+    if said[-1:].lower() == "ь":
+        return False
     vowels = [char for char in said.lower() if char in BACK + FRONT]
     if vowels[-1:] == ["у"] and len(vowels) > 1:
         vowels.pop()
@@ -86,7 +88,7 @@ def _is_back(said: str) -> bool:
 
 
 def _sound(said: str) -> str:
-    last = said[-1:].lower()
+    last = said.lower().removesuffix("ь")[-1:]
     if last in VOWELS:
         return "vowel"
     return next((name for name, letters in CLASSES.items() if last in letters), "voiceless")

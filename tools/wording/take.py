@@ -18,7 +18,7 @@ from pathlib import Path
 from babel.messages.catalog import Catalog, Message
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from messages import as_forms, glossary, merged, messages, misnamed, missing, write
+from messages import as_forms, glossary, merged, messages, misnamed, missing, published, write
 
 from tmm_report.languages import FALLBACK, LANGUAGES, language
 
@@ -42,9 +42,11 @@ def wrong(entry: Message, said: list[str], code: str) -> Iterator[str]:
             yield f"markup: {MARKUP.findall(many)} became {MARKUP.findall(form)}"
         if (form[0].isspace(), form[-1].isspace()) != (many[0].isspace(), many[-1].isspace()):
             yield "spaces at the ends"
-        if foreign := foreign_letters(form, code):
+        if not published(entry) and (foreign := foreign_letters(form, code)):
             yield f"letters of another language: {foreign}"
-        if entry.context is None and form == many and len(ENGLISH.findall(VALUE.sub("", many))) > 1:
+        in_english = published(entry) and "(in Russian)" not in many  # such a title stays as it is
+        left = entry.context is None and form == many and len(ENGLISH.findall(VALUE.sub("", many))) > 1
+        if left and not in_english:
             yield "left in English"
 
 
@@ -87,10 +89,7 @@ def main(code: str, names: list[str]) -> int:
     told = [*taken(code, [Path(name) for name in names], catalogue)]
     terms = glossary(code)
     told += [f"glossary: {text}" for text in misnamed(catalogue, terms) if "is in no text" not in text]
-    lost, every = (
-        len(missing(catalogue)),
-        len(messages(catalogue)),
-    )  # of what is written only the rest is left
+    lost, every = len(missing(catalogue)), len(messages(catalogue))  # writing leaves only what is translated
     write(code, "note", catalogue)
     print("\n".join(told))
     print(f"{code}: {lost} of {every} are missing, {len(told)} are wrong")

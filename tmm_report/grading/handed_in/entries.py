@@ -18,16 +18,39 @@ from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.units import is_unit
 from tmm_report.records import dataclass
 
-POSITION_HEADS = ("position", "положение", "становище", "орналасу", "k", "n", "№", "pos", "пол")
-POSITION_WORDS = ("position", "положени", "становищ")  # within a head: № положения
-POSITION = re.compile(r"(?:position|pos|положение|пол|становище|№)?[\s.:=№]*0*([0-9]{1,3})")
-KEY_HEADS = ("key", "quantity", "ключ", "величина", "обозначение", "позначення")
-VALUE_HEADS = ("value", "значение", "число", "значення")
+POSITION_HEADS = (
+    "position",
+    "положение",
+    "положення",
+    "становище",
+    "орын",
+    "орналасу",
+    "k",
+    "n",
+    "№",
+    "pos",
+    "пол",
+)
+POSITION_WORDS = ("position", "положени", "положенн", "становищ")  # within a head: № положения
+POSITION = re.compile(r"(?:position|pos|положение|пол|положення|становище|орын|№)?[\s.:=№]*0*([0-9]{1,3})")
+KEY_HEADS = ("key", "quantity", "ключ", "величина", "обозначение", "позначення", "кілт", "шама")
+VALUE_HEADS = ("value", "значение", "число", "значення", "мәні", "мән")
 UNIT_HEADS = (
     "unit", "units", "единица", "единицы", "единица измерения", "единицы измерения", "ед", "ед. изм", "ед.изм",
-    "размерность", "одиниця", "одиниці",
+    "размерность", "одиниця", "одиниці", "бірлік", "бірлігі",
 )  # fmt: skip
-MEANING_HEADS = ("meaning", "name", "смысл", "название", "наименование", "что это", "назва")
+MEANING_HEADS = (
+    "meaning",
+    "name",
+    "смысл",
+    "название",
+    "наименование",
+    "что это",
+    "назва",
+    "що це",
+    "бұл не",
+    "атауы",
+)
 ABOUT = (
     "student",
     "variant",

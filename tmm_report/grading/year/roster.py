@@ -18,6 +18,8 @@ HEADS = {
     "студент": "name",
     "фио": "name",
     "группа": "section",
+    "група": "section",
+    "топ": "section",
     "group": "section",
 }
 
