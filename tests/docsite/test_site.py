@@ -49,6 +49,31 @@ def test_theory_has_its_sources_and_formulas():
         assert page.endswith("index.md") or (formulas.LINE.search(text) and "## Sources" in text), page
 
 
+RUSSIAN = {page: text for page, text in PAGES.items() if page.startswith("docs/ru/theory/")}
+
+
+def test_theory_says_the_same_in_russian():
+    """The same pages, of the same formulas in the same order, with as many headings and the same books."""
+    assert {page.replace("/ru/", "/") for page in RUSSIAN} == set(THEORY)
+    for page, text in RUSSIAN.items():
+        english = THEORY[page.replace("/ru/", "/")]
+        for mark in (formulas.LINE, formulas.BOOKS, re.compile("^(#+) ", re.M), re.compile(r"^(\|)", re.M)):
+            assert mark.findall(text) == mark.findall(english), page
+        prose = re.sub(r"<!--.*?-->|`[^`]*`|\([^)]*\)", "", text)
+        assert not re.search(r"[A-Za-z]{4,}", prose), page
+        paragraphs = [len(re.split(r"\n\n+", one.strip())) for one in (text, english)]
+        assert paragraphs[0] == paragraphs[1], page
+
+
+def test_a_formula_of_a_russian_page_has_russian_letters():
+    line = "<!-- formula: rotor rotor_e -->\n<!-- sources: balancing -->"
+    russian, english = (formulas.filled(line, language) for language in ("ru", "en"))
+    assert re.search("[а-я]{5,}", russian) and not re.search("[а-я]", english.partition("\n- ")[0])
+    assert re.findall("<mi>(.*?)</mi>", russian.partition("</div>")[0]) == re.findall(
+        "<mi>(.*?)</mi>", english.partition("</div>")[0]
+    )
+
+
 def test_a_formula_is_the_symbols_of_the_note_without_its_numbers():
     found = formulas.formula("rotor", "rotor_e", "en")
     assert "data-q" not in found and '<math><mi>e</mi><mo form="infix">=</mo><mfrac>' in found
@@ -62,9 +87,10 @@ def test_a_formula_is_the_symbols_of_the_note_without_its_numbers():
 def test_every_formula_of_the_theory_is_in_the_note(variant):
     for name, key in ASKED:
         if name == variant:
-            found = formulas.formula(variant, key, "en")
-            assert found.count("<math>") >= 1 and "data-q" not in found, key
-            assert not re.search(r"<mn[^>]*>\d+\.\d{3,}", found), key  # a number of the variant
+            for language in ("en", "ru"):
+                found = formulas.formula(variant, key, language)
+                assert found.count("<math>") >= 1 and "data-q" not in found, key
+                assert not re.search(r"<mn[^>]*>\d+[.,]\d{3,}", found), key  # a number of the variant
 
 
 # --- built

@@ -77,7 +77,7 @@ def relinked(text: str, file: Path, page: str, places: Mapping[Path, str], known
 
     def set_right(found: re.Match[str]) -> str:
         to, _, anchor = found["to"].partition("#")
-        if not to or re.match(r"[a-z]+:", to) or re.fullmatch(r"\.\./[\w/]+\.html", to):
+        if not to or re.match(r"[a-z]+:", to) or re.fullmatch(r"(?:\.\./)+[\w/]+\.html", to):
             return found[0]  # also a page of the English site
         target = places.get((file.parent / to).resolve())
         if target is None:  # what is generated has its place in the site alone
