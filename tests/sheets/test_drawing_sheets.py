@@ -8,6 +8,7 @@ from dataclasses import replace
 from itertools import combinations, pairwise
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 from conftest import solved
 from drawn import VARIANTS, files_of, ink, said, sheets_of
@@ -16,7 +17,7 @@ from notes import note
 from tmm_report import render, sheets
 from tmm_report.commands.files import translator
 from tmm_report.figures.drawing import Drawing, Path, Pen, Text, line
-from tmm_report.figures.sheets.form import Said, form
+from tmm_report.figures.sheets.form import Said, form, within
 from tmm_report.figures.sheets.sheet import FORMATS, Sheet, placed
 from tmm_report.figures.sheets.strokes import Letters, glyph
 from tmm_report.i18n import Translator
@@ -42,6 +43,7 @@ def test_pictures_stand_apart_within_the_frame_and_off_the_title_block(name):
         for left, bottom, right, top in inked:  # GOST 2.104: 20 mm at the left, 5 mm at the other sides
             assert left > 20 and bottom > 5 and right < wide - 5 and top < tall - 5
             assert apart((left, bottom, right, top), (wide - 5 - 185, 5, wide - 5, 5 + 55))
+            assert apart((left, bottom, right, top), (20, tall - 5 - 14, 20 + 70, tall - 5))
 
 
 @pytest.mark.parametrize("name", VARIANTS)
@@ -206,6 +208,34 @@ def test_no_name_leaves_its_cell(text):
         for a, b in lines:
             if a.real == b.real and min(a.imag, b.imag) < one.at.imag < max(a.imag, b.imag):
                 assert right <= a.real or left >= a.real
+
+
+@pytest.mark.parametrize("text", ["ТММ.01.12.000", *HOSTILE])
+def test_the_designation_stands_on_its_head_in_the_upper_left_corner(text):
+    """Graph 26, 70 mm by 14. The other way: the sheet turned, it is what stands upright in a cell of that size."""
+    sheet = Sheet("1_x", A1, (), stamped(text))
+    corner = complex(20, A1.tall - 5)
+    lines = [set(item.strokes[0]) for item in sheet.items if isinstance(item, Path) and item.closed]
+    assert {corner, corner + 70, corner + 70 - 14j, corner - 14j} in lines
+    on_head = [one for one in sheet.letters if one.turned]
+    assert on_head and all(min(run.tall for run in one.runs) >= 3.5 for one in on_head)
+    middle = corner + 35 - 7j
+    upright = [
+        sorted((z.real, z.imag) for stroke in one.path.strokes for z in stroke)
+        for one in within((middle.real - 35, middle.imag - 7, 70, 14), text, 7.0)
+    ]
+    for one, other in zip(on_head, upright, strict=True):
+        back = sorted(
+            (z.real, z.imag) for stroke in one.path.strokes for z in (2 * middle - w for w in stroke)
+        )
+        assert np.allclose(back, other, atol=1e-9)
+        left, bottom, right, top = one.box
+        assert (
+            corner.real <= left
+            and right <= corner.real + 70
+            and bottom >= corner.imag - 14
+            and top <= corner.imag + 0.7
+        )
 
 
 @pytest.mark.parametrize("text", HOSTILE)

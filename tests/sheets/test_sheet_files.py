@@ -64,6 +64,18 @@ def test_dxf_has_layers_by_line_and_text_as_text(ezdxf, name):
         assert {one.dxf.layer for one in drawn.modelspace()} <= set(types)
 
 
+def test_the_designation_of_a_dxf_stands_on_its_head(ezdxf):
+    """It begins at its right end, under the line on which its letters would stand upright."""
+    from tmm_report.figures.sheets.cad import dxf
+
+    sheet = Sheet("1_x", A1, (), stamped("ТММ.01.12.000"))
+    texts = list(read(ezdxf, dxf(sheet)).modelspace().query("TEXT"))
+    (one,) = [text for text in texts if text.dxf.rotation == 180]
+    assert one.dxf.text == "ТММ.01.12.000" and 20 + 35 < one.dxf.insert.x < 20 + 70
+    assert one.dxf.insert.y == pytest.approx(594 - 5 - 7 + one.dxf.height / 2)
+    assert {other.dxf.rotation for other in texts if other is not one} == {0}
+
+
 def test_dxf_is_drawn_by_the_library_itself(ezdxf):
     from ezdxf.addons.drawing import Frontend, RenderContext, layout
     from ezdxf.addons.drawing.svg import SVGBackend

@@ -117,16 +117,19 @@ def _fill(space: Any, fill: str, opacity: float) -> Any:
 
 def _write(space: Any, letters: Letters) -> None:
     for run in letters.runs:
+        at = letters.place(run.at)
         look = {
             "layer": "TEXT",
             "style": STYLE,
             "height": run.tall,
             "width": letters.squeeze,
-            "insert": (run.at.real, run.at.imag),
+            "insert": (at.real, at.imag),
         }
+        if letters.turned:
+            look["rotation"] = 180.0
         space.add_text(literal(run.text), dxfattribs=look)
         for bar in letters.bars(run):
-            _add(space, Path((bar,), Pen(THIN)), "TEXT")
+            _add(space, Path((tuple(map(letters.place, bar)),), Pen(THIN)), "TEXT")
 
 
 def literal(text: str) -> str:

@@ -1,17 +1,20 @@
-"""The title block of a drawing, form 1 of GOST 2.104-2006, mm, with letters of strokes: 3.5 mm high and more."""
+"""The title block of a drawing, form 1 of GOST 2.104-2006 with its graph 26, mm, with letters of strokes: 3.5 mm high
+and more."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from tmm_report.figures.primitives import Item, Path, Pen
 from tmm_report.figures.sheets.strokes import SMALLEST, Letters, plain
 from tmm_report.figures.title_block import CHANGE, WIDE, Cell
 from tmm_report.records import dataclass
 
-__all__ = ["TALL", "WIDE", "Said", "form"]
+__all__ = ["TALL", "TURNED", "WIDE", "Said", "form", "turned"]
 
 TALL = 55.0
+TURNED = (70.0, 14.0)  # width and height of graph 26
 THICK, THIN = Pen(0.6), Pen(0.2)
 SPACE = 0.8  # mm: between letters and the line beside them
 STEP = 1.45  # from line to line, in heights of the letters
@@ -58,6 +61,17 @@ def form(said: Said) -> tuple[list[Item], list[Letters]]:
     thin = [(left + 1j * y, right + 1j * y) for y, left, right in FINE]
     thin += [(x + 20j, x + 35j) for x in (140, 145)]
     return [Path(tuple(thin), THIN), Path(tuple(thick), THICK)], list(_letters(said))
+
+
+def turned(designation: str) -> tuple[list[Item], list[Letters]]:
+    """The designation once more, on its head (graph 26), so that it is read on a sheet that lies the other way round;
+    zero is the upper left corner of the frame."""
+    wide, tall = TURNED
+    corners = (0j, complex(wide), complex(wide, -tall), -1j * tall)
+    upright = within((0, -tall, wide, tall), designation, 7.0)
+    middle = complex(wide, -tall)  # twice
+    letters = [replace(one, at=middle - one.at, turned=True) for one in upright]
+    return [Path((corners,), THICK, closed=True)], letters
 
 
 def _letters(said: Said) -> Iterator[Letters]:

@@ -13,7 +13,7 @@ from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.lettering import Parts
 from tmm_report.figures.primitives import Arc, Arrow, Box, Circle, Item, Path, Pen, Text
 from tmm_report.figures.sheets.form import TALL as BLOCK
-from tmm_report.figures.sheets.form import WIDE, Said, form
+from tmm_report.figures.sheets.form import TURNED, WIDE, Said, form, turned
 from tmm_report.figures.sheets.strokes import SMALLEST, Letters
 from tmm_report.records import dataclass
 
@@ -51,6 +51,12 @@ class Format:
         """Where the title block stands."""
         right = self.wide - EDGE
         return right - WIDE, EDGE, right, EDGE + BLOCK
+
+    @property
+    def turned(self) -> Box:
+        """Where the designation stands on its head."""
+        left, _, _, top = self.field
+        return left, top - TURNED[1], left + TURNED[0], top
 
 
 FORMATS = (
@@ -186,6 +192,7 @@ class Sheet:
         left, bottom, right, top = self.format.field
         corners = (complex(left, bottom), complex(right, bottom), complex(right, top), complex(left, top))
         lines, letters = form(self.said)
+        once_more, on_its_head = turned(self.said.designation)
         x, y, _, _ = self.format.block
         paper = (
             0j,
@@ -195,6 +202,8 @@ class Sheet:
         )
         items: list[Item] = [Path((paper,), Pen(0.1), closed=True), Path((corners,), Pen(MAIN), closed=True)]
         items += [one.moved(complex(x, y)) for one in lines]
+        items += [one.moved(complex(left, top)) for one in once_more]
+        letters += [one.moved(complex(left - x, top - y)) for one in on_its_head]
         mark = Letters(
             complex(right, EDGE / 2 + 0.5), (f"{self.said.words['Формат']} {self.format.name}",), SMALLEST, 1
         )
@@ -219,7 +228,7 @@ def free_of(format: Format, taken: Sequence[Box]) -> list[Box]:
     """The largest rectangles of the field that hold none of what is taken, with a gap around it."""
     left, bottom, right, top = format.field
     free = [(left + GAP, bottom + GAP, right - GAP, top - GAP)]
-    for box in (format.block, *taken):
+    for box in (format.block, format.turned, *taken):
         hit = (box[0] - GAP, box[1] - GAP, box[2] + GAP, box[3] + GAP)
         free = [part for one in free for part in _without(one, hit)]
         free = [one for one in free if not any(one is not other and _inside(one, other) for other in free)]

@@ -80,13 +80,19 @@ def plain(text: str) -> str:
 @dataclass(frozen=True)
 class Letters:
     """A text on a sheet: its middle in height, its left (-1), middle (0) or right end (1) by `align`; `tall`: of its
-    capitals, mm; `squeeze`: by how much narrower it is than its letters are usually."""
+    capitals, mm; `squeeze`: by how much narrower it is than its letters are usually; `turned`: it stands on its head,
+    turned about `at`, and the runs are where they would be upright."""
 
     at: complex
     parts: Parts
     tall: float = SMALLEST
     align: Literal[-1, 0, 1] = -1
     squeeze: float = 1.0
+    turned: bool = False
+
+    def place(self, upright: complex) -> complex:
+        """Where a place of the upright text is on the sheet."""
+        return 2 * self.at - upright if self.turned else upright
 
     @cached_property
     def wide(self) -> float:
@@ -94,7 +100,7 @@ class Letters:
 
     @cached_property
     def runs(self) -> tuple[Run, ...]:
-        """On the sheet."""
+        """On the sheet, upright."""
         start = self.at - 0.5j * self.tall - self.wide * (1 + self.align) / 2
         return tuple(
             one._replace(at=start + complex(self.squeeze * one.at.real, one.at.imag))
@@ -108,12 +114,18 @@ class Letters:
         high = max(
             [one.at.imag + (BAR if one.bar else ABOVE) * one.tall for one in self.runs], default=self.at.imag
         )
-        return left, low, left + self.wide, high
+        first, last = self.place(complex(left, low)), self.place(complex(left + self.wide, high))
+        return (
+            (last.real, last.imag, first.real, first.imag)
+            if self.turned
+            else (left, low, left + self.wide, high)
+        )
 
     @cached_property
     def path(self) -> Path:
         """As strokes."""
-        return Path(tuple(self._strokes()), Pen(LINE * self.tall))
+        strokes = (tuple(map(self.place, stroke)) for stroke in self._strokes())
+        return Path(tuple(strokes), Pen(LINE * self.tall))
 
     def _strokes(self) -> Iterator[Stroke]:
         for run in self.runs:
