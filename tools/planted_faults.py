@@ -81,6 +81,8 @@ COPIED = (
     "benchmarks",
     "pyproject.toml",
     "README.md",
+    "CONTRIBUTING.md",
+    "CHANGELOG.md",
     "docs",
 )
 TEXTS = "test_golden_text.py"
