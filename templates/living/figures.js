@@ -103,7 +103,7 @@ function livePlan(figure, plan) {
 function roomFor(nodes, [x, y, w, h]) {
   const there = nodes.filter(Boolean);
   if (!there.length) return [x, y, w, h];
-  const ends = (values) => [Math.min(...values) - 5, Math.max(...values) + 5];
+  const ends = (values) => [Math.min(...values) - 8, Math.max(...values) + 8]; // with the letters
   const [[left, right], [top, bottom]] = [ends(there.map((n) => n[0])), ends(there.map((n) => -n[1]))];
   const by = Math.max(1, (right - left) / w, (bottom - top) / h);
   const held = (own, size, from, to) => Math.min(Math.max(own + (size - by * size) / 2, to - by * size), from);

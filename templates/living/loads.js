@@ -235,7 +235,7 @@ function liveLoads(figure, load) {
     change(note, "visibility", noted ? "visible" : "hidden");
     if (noted) return says(figure, "");
     for (const part of parts) part();
-    const moment = load.moment && column("M_bal");
+    const moment = load.moment && column(load.moment);
     const told = moment ? ` = ${text(value(moment.values))} ${moment.unit}` : "";
     const smaller = room.larger > 1.001 ? `, ${text(1 / room.larger, 2)} : 1` : "";
     says(figure, `φ = ${text(where.at, 4)}°${moment ? ", " : ""}`, moment ? moment.sign : "", told + smaller);

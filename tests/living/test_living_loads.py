@@ -6,14 +6,17 @@ from __future__ import annotations
 import re
 from functools import cache
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from conftest import solved
 from exhaustive import many
-from test_living_data import ORDERED, data, page
+from test_living_data import ORDERED, data, known, page
 from test_living_page import number, opened, run
+
+from tmm_report import load, render, solve
 
 
 def vector(found, key):
@@ -55,7 +58,19 @@ def levers(found):
 @pytest.mark.parametrize("name", many(ORDERED, 3))
 def test_what_a_scheme_shows_is_in_equilibrium_in_every_position(name):
     """Forces and their moments about the origin, with the couples: to the digits that are sent."""
-    found = data(name)
+    in_equilibrium(data(name))
+
+
+def test_a_cylinder_holds_the_link_that_it_moves():
+    """The force along the stroke is among those of a scheme, and its number stands over it."""
+    variant = load(Path(__file__).with_name("loader.yaml"))
+    found = known(render(solve(variant), "html")["note.html"].decode())
+    held = [one for one in schemes(found).values() if "F_stroke" in [key for key, *_ in one["forces"]]]
+    assert [one["moment"] for one in held] == ["F_stroke"]
+    in_equilibrium(found)
+
+
+def in_equilibrium(found):
     assert schemes(found)
     metre = found["mechanism"]["scale"]  # m/mm
     for anchor, scheme in schemes(found).items():

@@ -16,6 +16,7 @@ import numpy as np
 from tmm_report.chapters.lever.force_plans import lever_quantities
 from tmm_report.chapters.lever.kinetostatics.quantities import positions as loads
 from tmm_report.chapters.lever.kinetostatics.quantities.driving_gear import FORCE as GEAR
+from tmm_report.chapters.lever.kinetostatics.quantities.driving_stroke import FORCE as STROKE
 from tmm_report.chapters.lever.kinetostatics.solve.acting_forces import loaded_link
 from tmm_report.chapters.lever.kinetostatics.solve.positions import Kinetostatics
 from tmm_report.figures.charts.graphs import Graph
@@ -57,6 +58,7 @@ class Loads:
         self.centres = {cam.centre: cam for cam in view.mechanism.cams}
         self.guides = dict(self._guides())
         self._gear()
+        self._stroke()
         self.vectors: dict[str, Array] = {}
         self.turning: dict[str, Array] = {}
 
@@ -68,7 +70,7 @@ class Loads:
                 position = int(self.cycle.numbered[acts.position])
                 found[anchor] = {
                     "position": position,
-                    "moment": acts.sides != () or self._driven(acts),
+                    "moment": self._balanced(acts),
                     **one,
                 }
         return found
@@ -99,8 +101,23 @@ class Loads:
         self.known[GEAR.key] = gear.line(moment, omega) * gear.size(moment, omega)
         self.at[GEAR.key] = [places(at.real, 2), places(at.imag, 2)]
 
-    def _driven(self, acts: Acts) -> bool:
-        return any(one.key == self.moment for one in acts.couples)
+    def _stroke(self) -> None:
+        """The force of a driving cylinder on the point that it moves from a fixed one: away from this where it is above
+        zero."""
+        fixed = self.view.mechanism.links[FRAME].points
+        ends = self.view.cylinder or ()
+        moved = [point for point in ends if point not in fixed]
+        if len(moved) == 1 and "drive" in self.cycle.pairs:
+            force = self.cycle.merged(*(table[STROKE.key].numbers() for table in self.cycle.pairs["drive"]))
+            way = self._way(next(point for point in ends if point in fixed), moved[0])
+            self.known[STROKE.key], self.at[STROKE.key] = force * way / np.abs(way), moved[0]
+
+    def _balanced(self, acts: Acts) -> str:
+        """Key of the moment or the force that balances what is shown, "" where nothing does."""
+        if any(one.key == STROKE.key for one in acts.forces):
+            return STROKE.key
+        driven = any(one.key == self.moment for one in acts.couples)
+        return self.moment if acts.sides or driven else ""
 
     # ------------------------------------------------------------ loading schemes
 

@@ -46,6 +46,8 @@ FAULTS = (
     Fault("what replaces a cam pair leads to the mirrored centre", LIVING + "loads.py",
           "return [[places(centre.real, 2), places(centre.imag, 2)]",
           "return [[places(centre.imag, 2), places(centre.real, 2)]", "cam_press", LOADS),
+    Fault("a cylinder pulls where it pushes", LIVING + "loads.py",
+          "force * way / np.abs(way), moved[0]", "-force * way / np.abs(way), moved[0]", "compressor", LOADS),
     Fault("a wheel in mesh slides on the other", LIVING + "moves.py",
           "part.sense * abs(rate) if part.sense else rate", "part.sense or rate", "hoist_drive", MOVES),
     Fault("satellites do not turn of themselves", LIVING + "moves.py",
