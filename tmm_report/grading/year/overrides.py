@@ -29,6 +29,14 @@ HEADS = {
     "reason": "reason",
     "причина": "reason",
     "основание": "reason",
+    "бали": "points",
+    "бал": "points",
+    "оцінка": "points",
+    "підстава": "reason",
+    "ұпай": "points",
+    "баға": "points",
+    "себебі": "reason",
+    "негіздеме": "reason",
 }
 _HEAD = Message(N_("the first row names the columns: id, points, reason"))
 
