@@ -111,7 +111,9 @@ _TABLE: list[tuple[str, float, Exponents]] = [  # the names of a unit, its facto
 UNITS = {name: (factor, exponents) for names, factor, exponents in _TABLE for name in names.split()}
 # "кн", "КВТ", "мпа": no two units of Cyrillic letters differ by capitals alone; of Latin ones mm and Mm do
 _ANY_CASE = {name.casefold(): size for name, size in UNITS.items() if re.fullmatch("[А-яЁё]{2,}|[НГ]", name)}
-_CUT = re.compile(r"(об|мин|хв|сек|рад|град|час|год|ч|кгс)\.(?![^\W\d_])")  # words cut short, with their point
+_CUT = re.compile(
+    r"(об|мин|хв|сек|рад|град|час|год|ч|кгс)\.(?![^\W\d_])"
+)  # words cut short, with their point
 
 _SHOWN = {  # (unit of the results, unit of print) -> factor
     ("m", "mm"): 1e3, ("m²", "mm²"): 1e6, ("rad", "deg"): 180 / math.pi, ("deg", "rad"): math.pi / 180,
