@@ -110,6 +110,7 @@ PRINTED = (
             *("machine/dynamics/block/__init__.py", "machine/dynamics/solve.py"),
             *("gears/planetary/solve/limits.py", "lever/kinematics/contours/solve.py"),
             *("lever/kinematics/solve/analogues.py", "lever/kinematics/solve/points_and_links.py"),
+            "lever/kinematics/solve/relating.py",
             *("lever/readings/solve.py", "machine/flywheel/given.py"),
         )
     ),
