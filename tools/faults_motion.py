@@ -362,7 +362,7 @@ FAULTS = (
     Fault("pole distance of the flywheel's diagrams twice as great", FLYWHEEL + "equations.py",
           'distance = 180 * of["mu_A"]', 'distance = 360 * of["mu_A"]', "punch_press"),
     Fault("friction left out of the loads written out", FLYWHEEL + "reduced.py",
-          'moment + table.var("M_fr", k) if', "moment if", "compressor"),
+          'moment - table.var("M_fr", k) if', "moment if", "compressor"),
     Fault("velocities of reduced masses without their squares", "tmm_report/chapters/lever/kinematics/quantities.py",
           "(speed / omega) ** 2", "(speed / omega)", "compressor"),
     # --- governor ---

@@ -152,7 +152,7 @@ def test_the_introduction_names_the_chapters(name):
     introduction = note[note.index('id="section-introduction"') :].partition("<h1")[0]
     listed = [words(item).rstrip(".;") for item in re.findall(r"<li>(.*?)</li>", introduction)]
     chapters = [words(h) for h in re.findall(r"<h1[^>]*>(.*?)</h1>", note) if re.match(r"\s*\d", words(h))]
-    told = [f"{title} (раздел {n})" for n, title in (c.split(" ", 1) for c in chapters)]
+    told = [f"«{title}» (раздел {n})" for n, title in (c.split(" ", 1) for c in chapters)]
     assert listed == (told if len(told) > 1 else [])
 
 

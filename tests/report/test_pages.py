@@ -80,6 +80,8 @@ def test_no_page_within_a_chapter_is_less_than_two_thirds_full(name, depth, of):
     assert len(fill) > 10 and np.mean(fill) > 0.9
     assert all(fill >= (APART if one.appendix else FULL) for one in found for fill in one.fill)
     assert not lying_over(pdf)
+    if depth != "full":  # whose colons also stand before formulas within a line
+        assert not announcing(pdf)
 
 
 @pytest.mark.exhaustive
@@ -89,6 +91,24 @@ def test_a_page_half_empty_is_seen():
     head, mark, rest = html.partition(b'<h2 id="section4.2">')
     broken = head + b'<div style="break-before: page"></div>' + mark + rest
     assert min(fill for one in chapters_of(html, printed(broken))[0] for fill in one.fill) < FULL
+
+
+def announcing(pdf):
+    """Pages whose text ends with a colon, so that what it announces is on another one."""
+    found = []
+    for number, page in enumerate(pages(pdf), 1):
+        body = [one for one in page.words if one.below < page.tall * 0.945]  # above the page's number
+        if body and max(body, key=lambda one: (round(one.below), one.right)).text.endswith(":"):
+            found.append(number)
+    return found
+
+
+@pytest.mark.exhaustive
+def test_what_a_colon_announces_on_the_next_page_is_seen():
+    program("chromium"), program("pdftotext")
+    html = html_of("compressor", "short")
+    apart = html.replace(b'<div class="formula"', b'<div style="break-before: page" class="formula"')
+    assert announcing(printed(apart))
 
 
 def lying_over(pdf):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 from tmm_report.quantity import model
@@ -24,16 +24,19 @@ def comparison_table(
     position: int,
     segments: Mapping[str, Cell] | None = None,
     own: model.Table | None = None,
+    leave: Collection[str] = (),
 ) -> Table:
     """`table`: of the results, a row a quantity, with "graph", "analytic" and "delta"; `named`: its quantities.
 
     `segments`: what was measured, mm, by the keys of the quantities, where it is told here; `own`: the same table of a
-    student's own numbers, which stand in the rows of their quantities.
+    student's own numbers, which stand in the rows of their quantities; `leave`: keys without a row, but for own ones.
     """
+    if own is not None:
+        leave = set(leave).difference(map(str, own["key"].values))
     heads = [
         page.t("Quantity"), page.t("Graphical"), page.t("Analytical"), page.t("Difference, %%"),
     ]  # fmt: skip
-    rows = _rows(page, table, named, position, segments)
+    rows = _rows(page, table, named, position, segments, leave)
     shares = [3, 3, 3, 2]
     if segments is not None:
         heads.insert(1, page.t("Segment, mm"))
@@ -52,10 +55,11 @@ def side_by_side(
     tables: Mapping[int, model.Table],
     named: Mapping[str, Quantity],
     segments: Mapping[int, Mapping[str, Cell]],
+    leave: Collection[str] = (),
 ) -> Table:
     """The same of two positions or more, by these: of each beside the quantities its columns, under the letters of the
     formula of the difference."""
-    every = [_rows(page, table, named, k, segments[k]) for k, table in tables.items()]
+    every = [_rows(page, table, named, k, segments[k], leave) for k, table in tables.items()]
     first, *others = every
     rows = [[*row, *(cell for other in others for cell in other[key][1:])] for key, row in first.items()]
     letters = page.sym("x_gr"), page.sym("x_an"), page.listed([page.sym("delta"), "%"])
@@ -69,10 +73,13 @@ def _rows(
     named: Mapping[str, Quantity],
     position: int,
     segments: Mapping[str, Cell] | None,
+    leave: Collection[str],
 ) -> dict[str, list[Any]]:
     """By the keys of the quantities; segments stand behind these."""
     rows = {
-        str(key): _compared(page, table, named, position, row) for row, key in enumerate(table["key"].values)
+        str(key): _compared(page, table, named, position, row)
+        for row, key in enumerate(table["key"].values)
+        if key not in leave
     }
     if segments is not None:
         for key, row in rows.items():

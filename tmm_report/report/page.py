@@ -283,7 +283,7 @@ class Page:
 
     def contents(self) -> list[Markup]:
         """The numbered chapters written so far, by their titles."""
-        text = N_("%(title)s (section %(n)s)")
+        text = N_('"%(title)s" (section %(n)s)')
         return [self.t(text, title=one.title, n=one.place.number) for one in self.numbering.chapters]
 
     # ------------------------------------------------------------ sources

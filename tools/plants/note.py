@@ -88,7 +88,7 @@ FAULTS = (
           "k=drawn.position, other=beside.position", "k=beside.position, other=drawn.position",
           tests=("tests/report/test_depth.py",)),
     Fault("segments of one position for both of a joined table", "tmm_report/report/comparison.py",
-          "named, k, segments[k]) for k, table", "named, k, next(iter(segments.values()))) for k, table",
+          "named, k, segments[k], leave) for k", "named, k, next(iter(segments.values())), leave) for k",
           tests=("tests/report/test_depth.py",)),
     Fault("a row of a folded table left out", "tmm_report/report/paper/layout.py",
           "beside = [*part.rows[half:],", "beside = [*part.rows[half + 1:], part.rows[0],",

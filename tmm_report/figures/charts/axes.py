@@ -36,11 +36,11 @@ TALLEST, ALONE, LEAST = (
 )  # mm: what curves fill of a panel at most; of the only one; in scarce room
 SPARE, EDGE = 5.0, 2.0  # mm beyond a curve where a value is written, and where none is
 ROOMS = (
-    112.0,
+    105.0,
     158.0,
     222.0,
     364.0,
-)  # mm: height of half a page, of two thirds with the caption, of a whole one, of A3 standing
+)  # mm: height of half a page and of two thirds, with their captions, of a whole page, of A3 standing
 ALONG = (1.0, 1.25, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)  # round scales along an axis, times a power of ten
 ROUND = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)  # steps of ticks, times a power of ten
 

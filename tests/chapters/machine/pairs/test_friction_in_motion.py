@@ -56,7 +56,7 @@ def test_the_work_of_friction_is_that_of_its_power_over_the_cycle():
     time = wheel.cycle.panels.period / wheel.omega
     assert wheel.cycle.panels.total(wheel.sides.rubbing) == pytest.approx(-lost * time, rel=1e-6)
     table = wheel_quantities.book(wheel).tables["flywheel_table"]
-    np.testing.assert_allclose(-table["M_fr"].numbers(), found.lever.friction.table.reduced, rtol=1e-6)
+    np.testing.assert_allclose(table["M_fr"].numbers(), found.lever.friction.table.reduced, rtol=1e-6)
 
 
 @pytest.mark.exhaustive

@@ -379,15 +379,24 @@ class CamView(BookView):
         motion, curve = q.named(self.found, "cam_motion", "table"), q.named(self.found, "cam_profile")
         shown = (q.displacement, q.first, q.second, *([] if self.straight else [q.pressure]))
         keys = [make(self.found).key for make in shown]
-        polar = [self.column(curve, q.named(self.found, key)) for key in ("cam_R", "cam_delta")]
-        return self.by_positions(caption, motion, [*keys, *polar])
+        return self.by_positions(
+            caption, motion, [*keys, *(self.column(curve, key) for key in self._of_profile)]
+        )
 
     def profile_table(self, caption: Any) -> Table:
-        table = self.table(q.named(self.found, "cam_profile"))
+        return self.by_positions(caption, q.named(self.found, "cam_profile"), self._of_profile)
+
+    def profile_explained(self) -> list[dict[str, Any]]:
+        return self.columns_explained(q.named(self.found, "cam_profile"), *self._of_profile)
+
+    @property
+    def _of_profile(self) -> list[str]:
+        """Columns of the profile that the note prints."""
+        if not self.apart:
+            return [q.named(self.found, key) for key in ("cam_R", "cam_delta")]
         left = ("position", "phi", *(BY_POLES if self.found.alone else ()))
-        return self.by_positions(
-            caption, table.name, [one.key for one in table.columns if one.key not in left]
-        )
+        table = self.table(q.named(self.found, "cam_profile"))
+        return [one.key for one in table.columns if one.key not in left]
 
     @property
     def limited_back(self) -> bool:

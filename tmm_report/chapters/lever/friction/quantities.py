@@ -26,7 +26,7 @@ LENGTH = Quantity("l", Symbol("l", SLIDER), "m", Message(N_("length of the slide
 TOTAL = Quantity("P_fr", Symbol("P", "fr"), "W", Message(N_("power of friction in all the pairs")))
 DRIVING = Quantity("P_drive", Symbol("P", "1"), "W", Message(N_("power of the balancing moment")))
 REDUCED = Quantity(
-    "T_fr", Symbol("T", "fr"), "N·m", Message(N_("moment of friction reduced to the driving link"))
+    "T_fr", Symbol("M", "fr"), "N·m", Message(N_("moment of friction reduced to the driving link"))
 )
 ALONG = Quantity("F_fr", Symbol("F", "fr"), "N", Message(N_("force of friction reduced to the stroke")))
 THRUST = Quantity("P_drive", Symbol("P", "1"), "W", Message(N_("power of the balancing force")))

@@ -17,6 +17,8 @@ from tmm_report.chapters.lever.plans.scales import Choice
 from tmm_report.chapters.lever.plans.solve import LIMIT, Drawn
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.schemes.scheme import reduced
+from tmm_report.mechanics.lever.motion import Linkage
+from tmm_report.mechanics.lever.vector_equations import relations
 from tmm_report.problems import N_
 from tmm_report.quantity import model
 from tmm_report.quantity.definition import Definition
@@ -58,6 +60,7 @@ class PlansView(BookView):
         super().__init__(page, Book.of(q.tables(found), q.values(found)))
         self.found, self.named, self.readings = found, found.named, lever.readings
         self.still = translating(lever.kinematics.diagram)
+        self.nought = set(_rates_of(self.still, lever.kinematics.linkage))
         drawn = [one.position for one in found.drawn]
         self.first = sample if sample in drawn else next(iter(drawn), 0)  # the one that is explained in full
         ranked = sorted(drawn, key=lambda k: k != self.first)
@@ -214,11 +217,10 @@ class PlansView(BookView):
             every = (drawn, *beside)
             tables = {one.position: self.table(f"comparison_{one.position}") for one in every}
             segments = {one.position: self._segments(one) for one in every}
-            return side_by_side(self.page, caption, tables, self.named, segments)
+            return side_by_side(self.page, caption, tables, self.named, segments, self.nought)
         own = self.readings.compared(drawn.position) if self.readings and self.has_own(drawn) else None
-        return comparison_table(
-            self.page, caption, table, self.named, drawn.position, self._segments(drawn), own
-        )
+        one, measured = drawn.position, self._segments(drawn)
+        return comparison_table(self.page, caption, table, self.named, one, measured, own, self.nought)
 
     def _segments(self, drawn: Drawn) -> dict[str, Cell]:
         """The lengths measured or laid off, mm, by the values that they give; what is worked from others has none."""
@@ -258,3 +260,13 @@ class PlansView(BookView):
     def owned(self) -> bool:
         """Whether there are a student's own values beside those of the plans."""
         return any(map(self.has_own, self.found.drawn))
+
+
+def _rates_of(links: list[str], linkage: Linkage) -> Iterator[str]:
+    """Keys of what is nought at every position where `links` only translate."""
+    for link in links:
+        yield from (f"w_{link}", f"e_{link}")
+    for of in relations(linkage):
+        for branch in of.branches:
+            if branch.turns and branch.link in links:
+                yield from (branch.v_key, branch.a_key("n"), branch.a_key("t"))

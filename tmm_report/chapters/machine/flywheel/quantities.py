@@ -49,7 +49,7 @@ def cycle(found: Found, turned: Array) -> Iterator[Column]:
         yield OverCycle.M_dr.column(over.at(sides.driving, turned))
         yield OverCycle.M_res.column(over.at(sides.resisting, turned))
     if sides.rubbing is not None:
-        yield OverCycle.M_fr.column(over.at(sides.rubbing, turned))
+        yield OverCycle.M_fr.column(-over.at(sides.rubbing, turned))  # as the chapter of friction has it
     yield OverCycle.M_ex.column(over.at(of.moment, turned))
     # the work at the end is that of the whole cycle, nothing: what is left of it is rounding
     work = over.at(of.work, turned)

@@ -33,7 +33,7 @@ def formulas(found: Found, table: Table, k: int) -> Iterator[Formula]:
     if found.sides.balancing == "resisting":
         yield table.formula("M_dr", k, moment)
     else:
-        yield table.formula("M_res", k, moment + table.var("M_fr", k) if "M_fr" in table else moment)
+        yield table.formula("M_res", k, moment - table.var("M_fr", k) if "M_fr" in table else moment)
 
 
 def _inertia(found: Found, kinematics: Kinematics, moved: Table, k: int) -> Expr:

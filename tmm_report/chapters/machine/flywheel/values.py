@@ -118,7 +118,7 @@ class OverCycle(Sheet):
 
     M_dr = Q("M_dr", "N·m", N_("driving moment on the main link"))
     M_res = Q("M_res", "N·m", N_("moment of the resistances"))
-    M_fr = Q("M_fr", "N·m", N_("moment of friction in the pairs, a part of the moment of the resistances"))
+    M_fr = Q("M_fr", "N·m", N_("moment of friction reduced to the driving link"))
     M_ex = Q("M_exc", "N·m", N_("excess moment"))
     A = Q("A", "J", N_("work of the excess moment from the beginning of the cycle"))
     J_II = Q("J_II", "kg·m²", N_("varying part of the reduced moment of inertia"))

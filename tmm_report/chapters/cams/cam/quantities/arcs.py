@@ -26,7 +26,7 @@ from tmm_report.quantity.model import Column, Quantity, Table, Value, text_colum
 from tmm_report.quantity.symbols import Symbol
 
 NOSE, FLANK, START, CHANGE, APEX = (
-    NP_("index", "nose"), NP_("index", "fl"), NP_("index", "start"), NP_("index", "change"), NP_("index", "apex"),
+    NP_("index", "nose"), NP_("index", "flank"), NP_("index", "begin"), NP_("index", "change"), NP_("index", "apex"),
 )  # fmt: skip
 CHANGES = Message(N_("motion of the follower where flanks, nose and base circle meet, on both sides"))
 RISES, FLANK_ENDS, NOSE_BEGINS, TIP, NOSE_ENDS, FALLS, FLANK_LEAVES = (

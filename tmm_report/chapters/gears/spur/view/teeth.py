@@ -98,7 +98,7 @@ class TeethView(ChapterView):
             ]
             for row, reading in enumerate(self.found.readings)
         ]
-        heads = [self.t("Value"), self.t("By the drawing"), self.t("Computed"), self.t("Difference, %%")]
+        heads = [self.t("Quantity"), self.t("By the drawing"), self.t("Computed"), self.t("Difference, %%")]
         return worded(caption, heads, rows, (4, 3, 3, 3))
 
     def _sign(self, row: int, reading: Reading) -> Markup:

@@ -22,7 +22,7 @@ from tmm_report.quantity.model import Quantity
 from tmm_report.report.chapter_view import ChapterView
 from tmm_report.report.diagrams import Line, chart, named
 from tmm_report.report.page import ROUNDING, Page
-from tmm_report.report.paper.layout import Column, Table, numeric, worded
+from tmm_report.report.paper.layout import Cell, Column, Table, numeric, worded
 from tmm_report.report.part import Failed
 
 GIVEN = (
@@ -130,12 +130,16 @@ class LoopView(ChapterView):
         return numeric(caption, Column(self.t(N_("State")), names), columns)
 
     def matrix(self, caption: Any) -> Table:
-        """Each number with its own digits."""
+        """Each number with its own digits: those of a column are coefficients of different units."""
         table, page, names = self.table("matrix"), self.page, self.found.states
+
+        def own(cell: Cell) -> Cell:
+            return Cell(cell, cell.ref, cell.full)
+
         rows = [
             [
                 page.word(page.math(Rate(table[name].symbol())), table, "state", row),
-                *(page.cell(table, other, row, scale=0.0) for other in names),
+                *(own(page.cell(table, other, row, scale=0.0)) for other in names),
             ]
             for row, name in enumerate(names)
         ]
