@@ -99,9 +99,20 @@ def catalogue(code: str, domain: Domain = "note") -> gettext.NullTranslations:
     """The texts of a language, those of `domain` first. Raises ProblemError for a language that there is not."""
     if language(code).ids:
         return gettext.NullTranslations()
-    found = gettext.translation(domain, localedir=folder(), languages=[code])
+    found = _read(code, domain)
     found.add_fallback(_Other(code, next(one for one in DOMAINS if one != domain)))
     return found
+
+
+def _read(code: str, domain: Domain) -> gettext.NullTranslations:
+    """A catalogue, or what `hatch_build.py` made of it. Raises FileNotFoundError where there is none."""
+    file = folder() / code / "LC_MESSAGES" / f"{domain}.mo"
+    if file.is_file():
+        return gettext.translation(domain, localedir=folder(), languages=[code])
+    import lzma
+
+    with lzma.open(f"{file}.xz") as packed:
+        return gettext.GNUTranslations(packed)  # type: ignore[arg-type]
 
 
 def folder() -> Path:
@@ -120,7 +131,7 @@ class _Other(gettext.NullTranslations):
         code = spoken(self.code) if self.domain == "messages" else self.code
         if language(code).ids:
             return gettext.NullTranslations()
-        return gettext.translation(self.domain, localedir=folder(), languages=[code])
+        return _read(code, self.domain)
 
     def gettext(self, message: str) -> str:
         return self.texts.gettext(message)

@@ -57,4 +57,4 @@ def test_the_data_are_shipped():
     assert {*wheel["only-include"]} == {"tmm_report", *shipped} and all(
         (ROOT / folder).is_dir() for folder in shipped
     )
-    assert {*wheel["exclude"]} == {"*.po", "*.md"}
+    assert {*wheel["exclude"]} == {"*.po", "*.md", "note.mo"}
