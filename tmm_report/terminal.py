@@ -238,7 +238,8 @@ def _speaking(context: Any, say: Callable[[str], str]) -> Any:
             super().write_usage(prog, _placeholders(args, say), prefix or f"{say('Usage:')} ")
 
         def write_dl(self, rows: Sequence[tuple[str, str]], *more: Any, **named: Any) -> None:
-            told = [(_placeholders(name, say), say(text)) for name, text in rows]
+            # most are translated already: to look for them again would read all texts of the notes, too
+            told = [(_placeholders(name, say), say(text) if text.isascii() else text) for name, text in rows]
             super().write_dl(told, *more, **named)
 
     return type(context.__name__, (context,), {"formatter_class": Formatter})

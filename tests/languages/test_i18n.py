@@ -1,11 +1,12 @@
 import gettext
+import lzma
 import re
 from pathlib import Path
 
 import pytest
 from catalogues import messages
 
-from tmm_report import languages
+from tmm_report import i18n, languages
 from tmm_report.i18n import DOMAINS, Translator, folder
 from tmm_report.resources import data_root
 
@@ -76,3 +77,14 @@ def test_decimal_sign_follows_the_language_unless_stated(translator, sign):
 def test_the_data_stand_where_the_program_looks():
     assert (data_root() / "templates" / "fonts" / "OFL.txt").is_file()
     assert (data_root() / "variants").is_dir()
+
+
+def test_a_packed_catalogue_says_the_same(tmp_path, monkeypatch):
+    """As a wheel has it."""
+    file = folder() / "kk" / "LC_MESSAGES" / "note.mo"
+    place = tmp_path / "kk" / "LC_MESSAGES"
+    place.mkdir(parents=True)
+    (place / "note.mo.xz").write_bytes(lzma.compress(file.read_bytes()))
+    said = Translator("kk").gettext("crank")
+    monkeypatch.setattr(i18n, "folder", lambda: tmp_path)
+    assert i18n._read("kk", "note").gettext("crank") == said != "crank"
