@@ -154,11 +154,11 @@ class KinematicsView(BookView):
         return self.scheme.mu > self.schemes.scale
 
     def _strokes(self) -> list[Stroke]:
-        words = self.page.tr.gettext("working stroke")
+        before, _, after = self.page.tr.gettext("working stroke %(output)s").partition("%(output)s")
         driver = self.found.linkage.mechanism.driver
         if driver.law is not None and not driver.goes_round:  # it goes over the same places there and back
             return []
-        return [Stroke(w.first, w.last, (words, " ", symbol(w.output))) for w in self.working.values()]
+        return [Stroke(w.first, w.last, (before, symbol(w.output), after)) for w in self.working.values()]
 
     def length_scale(self) -> Formula | None:
         """mu_l from the driving link's arm as drawn; None where it has no arm."""
