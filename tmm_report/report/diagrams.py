@@ -91,7 +91,9 @@ def _whole(symbol: Symbol) -> str:
 def per_mm(unit: str) -> str:
     """The unit of a scale: m/mm, (m/s)/mm, °/mm."""
     unit = unit.replace("deg", "°") or "1"
-    return f"({unit})/mm" if "/" in unit else f"{unit}/mm"
+    return (
+        f"({unit})/mm" if "/" in unit or unit == "rpm" else f"{unit}/mm"
+    )  # about min⁻¹ others write a fraction
 
 
 def letter(symbol: Symbol | str, tr: Translator) -> Parts:
