@@ -59,9 +59,18 @@ def copied(pdf: bytes, layout: str = "-raw") -> str:
 
 
 def lost(code: str, text: str, wrapped: str = "") -> set[str]:
-    """Words of the page that are not in a text, whose lines may end within a word behind a sign of `wrapped`."""
+    """Words of the page that are not in a text, whose lines may end within a word behind a sign of `wrapped`; its rest
+    then begins a line, the next one or, where a page ends or a figure stands between, another."""
+    text = text.lower()
     joined = re.sub(rf"[{wrapped}]\n", "", text) if wrapped else text
-    return {word for word in words(code) if word.lower() not in joined.lower()}
+
+    def broken(word: str) -> bool:
+        return bool(wrapped) and any(
+            re.search(rf"{word[:k]}[{wrapped}]$", text, re.M) and re.search(rf"^{word[k:]}", text, re.M)
+            for k in range(2, len(word) - 1)
+        )
+
+    return {word for word in words(code) if word.lower() not in joined and not broken(word.lower())}
 
 
 def lines_of_letters(text: str) -> int:
