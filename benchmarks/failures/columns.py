@@ -20,6 +20,7 @@ from benchmarks.failures.truth import GRAVITY, KINDS, Truth, truth
 from tmm_report import course, loading
 from tmm_report.chapters.lever.kinematics.view.positions import CORNER, LIMIT, PASSED
 from tmm_report.commands.solve import summary
+from tmm_report.i18n import Translator
 from tmm_report.mechanics.lever.forces import reactions as statics
 from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.mechanics.rivals.forces import FORCES
@@ -71,7 +72,7 @@ def solved(key: str) -> Solved:
     except ProblemError as error:
         return Solved(None, (), " ".join(problem.text() for problem in error.problems))
     listener = Listener()
-    summary(results, listener)  # type: ignore[arg-type]
+    summary(results, Translator("en"), listener)  # type: ignore[arg-type]
     return Solved(results, tuple(listener.lines))
 
 

@@ -108,7 +108,7 @@ def _solved(text: str, rendered: bool, said: Said) -> tuple[bool, bool]:
     """Whether a note was made, and whether every check held."""
     results = solve(loads(text.encode("utf-8", "surrogatepass"), "v.yaml"))
     said.lines += doubts(results)
-    sound = summary(results, said)
+    sound = summary(results, Translator("en"), said)
     json.loads(render(results, "json")["results.json"], parse_constant=_refused)
     for form in ("html", "tex") if rendered else ():
         for name, file in render(results, form).items():

@@ -99,6 +99,8 @@ def summed(prefix: str, but: str = "") -> Callable[[Known], Expr]:
     def total(q: Known) -> Expr:
         assert q.table is not None
         keys = [one.key for one in q.table.columns if one.key.startswith(prefix) and one.key != but]
+        if not keys:
+            raise KeyError(prefix)
         first, *others = [q(key) for key in keys]
         return sum(others, first)
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
 from functools import cache, lru_cache, partial
 from itertools import groupby
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
@@ -372,14 +371,12 @@ class Page:
         `unit`: of print, where it is not that of the declaration; `size`: magnitudes; `rows`: only the first so many.
         """
         column = table[key]
-        unit, sign = unit or column.quantity.shown, column.symbol()
-        if unit == "rpm" and sign.base == "omega":
-            sign = replace(sign, base="n")  # in turns a minute a speed has another letter
-        self.means(sign, column.meaning, unit or column.unit)
+        unit = unit or column.quantity.shown
+        self.means(column.symbol(), column.meaning, unit or column.unit)
         numbers = column.numbers(unit)[:rows]
         texts = self.col(np.abs(numbers) if size else numbers, digits)
         cells = list(map(Cell, texts, table.refs(key, unit, size)))
-        letter = self.sym(sign)
+        letter = self.sym(column.symbol())
         return layout.Column(self.head(letter, unit or column.unit), cells, letter)
 
     def singles(self, table: Table, key: str, rows: int | None = None, **form: Any) -> layout.Column:

@@ -82,17 +82,20 @@ def _enlarged(size: Format, figures: Sequence[Figure], tr: Translator) -> list[B
     if len(found) < len(blocks):
         small = (figures[0].block(1 / times, tr) for times in SMALLER)
         return list(next(held for one in small if (held := placed(size, [one]))).values())
-    order = sorted(
-        (n for n, one in enumerate(figures) if one.scaled),
-        key=lambda n: (figures[n].diagram, -figures[n].crowd),
-    )
-    for times in LARGER:
-        for n in list(order):
-            larger = [*blocks[:n], figures[n].block(times, tr), *blocks[n + 1 :]]
-            if len(tried := places(size, larger)) == len(larger):
-                blocks, found = larger, tried
-            else:
-                order.remove(n)  # still larger it has no room either
+    step = [0] * len(figures)  # of LARGER, that each has come to
+    for kind in (False, True):  # schemes and plans, then diagrams
+        order = [n for n, one in enumerate(figures) if one.scaled and one.diagram == kind]
+        order.sort(key=lambda n: -figures[n].crowd)
+        grown = True
+        while grown:  # what had no room may have some once others stand otherwise
+            grown = False
+            for k, times in enumerate(LARGER):
+                for n in order:
+                    if step[n] != k:
+                        continue
+                    larger = [*blocks[:n], figures[n].block(times, tr), *blocks[n + 1 :]]
+                    if len(tried := places(size, larger)) == len(larger):
+                        blocks, found, step[n], grown = larger, tried, k + 1, True
     return [one.at(*found[n]) for n, one in enumerate(blocks)]
 
 

@@ -322,7 +322,15 @@ def compound(random: Random) -> Made:
         }
         if often():
             found["efficiency"]["meshes"] = {scheme["meshes"][0].split(" ")[0]: random.choice((0.9, 0.97))}
-    found |= {"name": random.choice(("3K", "drum", {"ru": "привод", "en": "drive"}))} if often() else {}
+    found |= (
+        {
+            "name": random.choice(
+                ("3K", "drum", {"ru": "привод", "uk": "привод", "kk": "жетек", "en": "drive"})
+            )
+        }
+        if often()
+        else {}
+    )
     found |= {"satellites": random.choice((2, 3, [3, 4]))} if often() and "carriers" in scheme else {}
     found |= {"module": f"{random.choice((2, 2.5, 4))} mm"} if often() else {}
     found |= {"modules": {next(iter(scheme["wheels"])): "3 mm"}} if often(0.1) else {}

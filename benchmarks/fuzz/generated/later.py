@@ -77,7 +77,11 @@ def _travel(random: Random) -> Data:
             {"square": {"force": one, "speed": f"{random.uniform(2, 6):.3g} m/s"}},
         )
         named = (
-            {"name": random.choice(("steam", {"ru": "сила пара", "en": "steam"}))}
+            {
+                "name": random.choice(
+                    ("steam", {"ru": "сила пара", "uk": "сила пари", "kk": "бу күші", "en": "steam"})
+                )
+            }
             if random.random() < 0.4
             else {}
         )
@@ -85,7 +89,9 @@ def _travel(random: Random) -> Data:
 
     found: Data = {"mass": f"{random.uniform(20, 300):.4g} kg", "to": "1.2 m", "driving": [force(4000)]}
     choices: Data = {
-        "name": ("hammer", {"ru": "молот", "en": "hammer"})[len(found["mass"]) % 2],
+        "name": ("hammer", {"ru": "молот", "uk": "молот", "kk": "балға", "en": "hammer"})[
+            len(found["mass"]) % 2
+        ],
         "from": f"{random.randint(0, 400)} mm",
         "speed": f"{random.uniform(0.1, 2):.3g} m/s",
         "rise": f"{random.choice((-90, -30, 0, 20))} deg",
@@ -93,14 +99,18 @@ def _travel(random: Random) -> Data:
         "resistance": [force(300)],
         "springs": [
             {
-                "name": ("buffer", {"en": "buffer", "ru": "буфер"})[len(found["mass"]) % 2],
+                "name": ("buffer", {"en": "buffer", "ru": "буфер", "uk": "буфер", "kk": "буфер"})[
+                    len(found["mass"]) % 2
+                ],
                 "stiffness": f"{random.uniform(50, 900):.3g} N/m",
                 "free": "400 mm",
             }
         ],
         "wheels": [
             {
-                "name": ("wheel", {"en": "wheel", "ru": "колесо"})[len(found["mass"]) % 2],
+                "name": ("wheel", {"en": "wheel", "ru": "колесо", "uk": "колесо", "kk": "дөңгелек"})[
+                    len(found["mass"]) % 2
+                ],
                 "inertia": "0.4 kg*m^2",
                 "radius": "150 mm",
             }

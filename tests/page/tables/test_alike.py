@@ -102,11 +102,13 @@ def step(text: str) -> float:
 
 def uneven(note: Note) -> Iterator[str]:
     """Columns of one quantity whose numbers have other decimals than the largest, where three digits stay, or less
-    digits than the others, zeros at the end being lost."""
+    digits than the others, zeros at the end being lost. Of a matrix each row has its own unit."""
     for table in note.tables:
         for j, head in enumerate(table.heads):
             column = [cell for cell in table.column(j) if _counts(cell.printed, cell.text)]
             if not head.symbol or len({(c.mark.key, c.mark.by, c.mark.unit) for c in column if c.mark}) != 1:
+                continue
+            if {c.mark.table for c in column if c.mark} == {"governor_matrix"}:
                 continue
             places = {cell.printed.places for cell in column if cell.printed}
             if len(places) < 2:

@@ -110,7 +110,7 @@ def test_of_no_plans_no_difference_and_no_scale_is_told():
     talk = type("Talk", (), {"tell": lambda self, message: said.append(message)})()
     text = four_bar(0.06, 0.03, 0.06, "clockwise") + "language: en\npositions: {plans: [5, 6]}\n"
     found = solve(loads(text))
-    _differences(found.lever, talk)
+    _differences(found.lever, Translator("en"), talk)
     assert not found.lever.plans.drawn and not said
     note = render(found, "html", Translator("en"))["note.html"].decode()
     assert "At positions 5, 6 no polygon can be drawn" in note and "Scales of the polygons" not in note

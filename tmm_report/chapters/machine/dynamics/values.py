@@ -16,7 +16,6 @@ LOAD, SHAFT, MOTOR = NP_("index", "load"), NP_("index", "shaft"), NP_("index", "
 WORDS = (
     NP_("index", "red"),
     NP_("index", "dr"),
-    NP_("index", "fr"),
     NP_("index", "mean"),
     NP_("index", "cr"),
     NP_("index", "own"),
@@ -46,7 +45,9 @@ class Motion(Sheet):
         "N·m",
         N_("reduced moment of the forces: loads and weights of the mechanism, along the rotation"),
     )
-    M_fr = Q("M_fr", "N·m", N_("moment of the resistances of the main shaft, against the rotation"))
+    M_fr = Q(
+        Symbol("M", SHAFT), "N·m", N_("moment of the resistances of the main shaft, against the rotation")
+    )
     M_lost = Q(
         "M_lost",
         "N·m",
@@ -74,7 +75,7 @@ class WithPairs(Sheet):
     """What a mechanism with friction in its pairs calls otherwise."""
 
     M_fr = Q(
-        "M_fr",
+        Symbol("M", SHAFT),
         "N·m",
         N_(
             "moment of the friction in the pairs and of the resistances of the main shaft, against the rotation"
