@@ -82,20 +82,16 @@ def _enlarged(size: Format, figures: Sequence[Figure], tr: Translator) -> list[B
     if len(found) < len(blocks):
         small = (figures[0].block(1 / times, tr) for times in SMALLER)
         return list(next(held for one in small if (held := placed(size, [one]))).values())
-    step = [0] * len(figures)  # of LARGER, that each has come to
     for kind in (False, True):  # schemes and plans, then diagrams
         order = [n for n, one in enumerate(figures) if one.scaled and one.diagram == kind]
         order.sort(key=lambda n: -figures[n].crowd)
-        grown = True
-        while grown:  # what had no room may have some once others stand otherwise
-            grown = False
-            for k, times in enumerate(LARGER):
-                for n in order:
-                    if step[n] != k:
-                        continue
-                    larger = [*blocks[:n], figures[n].block(times, tr), *blocks[n + 1 :]]
-                    if len(tried := places(size, larger)) == len(larger):
-                        blocks, found, step[n], grown = larger, tried, k + 1, True
+        for times in LARGER:
+            for n in list(order):
+                larger = [*blocks[:n], figures[n].block(times, tr), *blocks[n + 1 :]]
+                if len(tried := places(size, larger)) == len(larger):
+                    blocks, found = larger, tried
+                else:
+                    order.remove(n)  # still larger it has no room either
     return [one.at(*found[n]) for n, one in enumerate(blocks)]
 
 
