@@ -85,10 +85,7 @@ def _told(results: Results, chapters: Collection[str]) -> find.Answer:
     lever = results.lever
     if lever is not None and lever.partial:
         return ProblemError([Problem(lever.kinematics.gaps[0].text)])
-    own = [(course.INITIAL_DATA, lever)] if lever is not None else []
-    rooms = (
-        (name, course.room(name, "quantities"), found) for name, found in (*own, *course.chapters(results))
-    )
+    rooms = ((name, course.room(name, "quantities"), found) for name, found in course.with_data(results))
     return [
         (name, of.tables(found), of.values(found))
         for name, of, found in rooms

@@ -382,6 +382,13 @@ def chapters(results: Results) -> Iterator[tuple[str, Any]]:
         yield from ((name, one) for name, one in found if one is not None)
 
 
+def with_data(results: Results) -> Iterator[tuple[str, Any]]:
+    """The same after the initial data of a lever mechanism: all that has numbers."""
+    if results.lever is not None:
+        yield INITIAL_DATA, results.lever
+    yield from chapters(results)
+
+
 def summary(results: Results) -> Iterator[Message]:
     """The main numbers of the chapters beside the lever's, in sentences; what was left out."""
     if asked := left_out(results):

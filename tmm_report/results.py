@@ -16,7 +16,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from tmm_report.course import INITIAL_DATA, Results, chapters, room
+from tmm_report.course import Results, room, with_data
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message, Problem, ProblemError, in_language
 from tmm_report.quantity.model import Column, Quantity, Table, Value
@@ -55,9 +55,7 @@ def listings(results: Results, say: Callable[[str], str]) -> Iterator[tuple[str,
 
 def _rooms(results: Results) -> Iterator[tuple[ModuleType, Any]]:
     """Quantities and Found of every chapter that was solved; a room is loaded only where it is needed."""
-    if results.lever is not None:
-        yield room(INITIAL_DATA, "quantities"), results.lever
-    for name, found in chapters(results):
+    for name, found in with_data(results):
         yield room(name, "quantities"), found
 
 

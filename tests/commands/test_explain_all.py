@@ -28,7 +28,7 @@ from tmm_report.problems import Message
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.quantity.ways import GIVEN, STATED, Way
+from tmm_report.quantity.ways import GIVEN, STATED, Way, fits
 from tmm_report.quantity.written import Equation, Unknown, variables
 from tmm_report.report.heard import listen
 from tmm_report.results import tables, values
@@ -292,7 +292,9 @@ def test_every_chapter_has_its_ways_and_every_way_is_of_some_number():
     names = set().union(*map(named, results))
     names |= {re.sub(r"_diagram\.", "_table.", name) for name in names}
     used = {
-        chapter: [any(way.fits(name) is not None for name in names) for way in several]
+        chapter: [
+            any(fits(key, name) is not None for key in way.keys.split() for name in names) for way in several
+        ]
         for chapter, several in every.items()
     }
     # of a cam alone and of a pair of a mechanism the same list by other names: once is enough

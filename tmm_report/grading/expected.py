@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from tmm_report.course import INITIAL_DATA, Results, chapters, room
+from tmm_report.course import Results, room, with_data
 from tmm_report.judging import asked
 from tmm_report.judging.model import Asked, Name
 from tmm_report.quantity.model import Quantity
@@ -15,7 +15,7 @@ OF_FORCES = {"powers_table", "loads_table", "reactions_table", "balancing_table"
 
 def expected(results: Results) -> dict[Name, Asked]:
     """Every column of numbers of a solved variant that a student may be asked for, in the order of the note."""
-    return {one.name: one for chapter, found in _rooms(results) for one in _of_chapter(chapter, found)}
+    return {one.name: one for chapter, found in with_data(results) for one in _of_chapter(chapter, found)}
 
 
 def of_tables(results: Results, names: Collection[str]) -> dict[Name, Asked]:
@@ -43,12 +43,6 @@ def reversed_reactions(results: Results) -> list[tuple[Quantity, Name]]:
     pairs = [pair.links for pair in results.lever.structure.pairs]
     both = [(one, other) for pair in pairs for one, other in (pair, pair[::-1])]
     return [(reaction(b, a), ("reactions_table", reaction(a, b).key)) for a, b in both]
-
-
-def _rooms(results: Results) -> Iterator[tuple[str, object]]:
-    if results.lever is not None:
-        yield INITIAL_DATA, results.lever
-    yield from chapters(results)
 
 
 def _of_chapter(chapter: str, found: object) -> Iterator[Asked]:

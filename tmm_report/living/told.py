@@ -7,21 +7,18 @@ with which numbers it starts in another one the script finds in the tables of th
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
-from contextlib import suppress
+from collections.abc import Container
 from dataclasses import field
 from functools import cache
+from itertools import chain
 from typing import Any, NamedTuple
 
-import numpy as np
-
-from tmm_report.course import INITIAL_DATA, Results, chapters, room
+from tmm_report.course import Results, room, with_data
 from tmm_report.problems import Message
-from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.text import number
-from tmm_report.quantity.ways import GIVEN, Input, Known, Line, Way, by_kind, fits
+from tmm_report.quantity.ways import GIVEN, Input, Known, Line, OwnWays, Way, by_kind, formula, telling
 from tmm_report.records import dataclass
 from tmm_report.report.page import Page
 from tmm_report.report.plain import Plain, gap, said, text
@@ -50,7 +47,7 @@ def told(results: Results, page: Page, shown: Container[str]) -> dict[str, Any]:
     among `texts`; of the keys and names `shown` on the page. `worked`, by "table.key" or the key of a single number:
     the places of the lines at position `sample`; `starts`: names of columns, or the places of a sign and a number."""
     teller = _Teller(page, Book.of(tables(results), values(results)), _sample(results))
-    for chapter, found in _rooms(results):
+    for chapter, found in with_data(results):
         quantities = room(chapter, "quantities")
         for table in quantities.tables(found):
             if not table.name.endswith("_diagram"):  # no cell of the page is of these
@@ -110,12 +107,9 @@ class _Teller:
     def _told(self, chapter: str, found: Any, table: Table | None, of: Column | Value) -> _Told | None:
         """By the first way that says with which numbers, else by the first."""
         name = of.key if table is None else f"{table.name}.{of.key}"
-        ways = list(_ways(chapter, name))
-        if table is not None and isinstance(of, Column) and (kind := by_kind(table, of, of.key)) is not None:
-            ways.append((kind, ()))
-        every = (self._one(way, parts, found, table, of) for way, parts in ways)
-        first = next(every, None)
-        return first if first is None or first.says else next((one for one in every if one.says), first)
+        kind = by_kind(table, of, of.key) if isinstance(of, Column) else None
+        ways = chain(_own_ways(chapter).of(name), [(kind, ())] if kind is not None else [])
+        return telling(self._one(way, parts, found, table, of) for way, parts in ways)
 
     def _one(
         self, way: Way, parts: tuple[str, ...], found: Any, table: Table | None, of: Column | Value
@@ -125,7 +119,8 @@ class _Teller:
         lines: list[Line] = []
         if table is None or "position" in table or len(table) == 1:  # else each row has its own
             lines += way.worked(found, known) if way.worked is not None else ()
-            lines += _formula(way, known, of)
+            unit = of.unit_of(known.row or 0) if isinstance(of, Column) else of.unit
+            lines += formula(way, known, of.quantity.symbol or Symbol(of.key), unit)
         list(known.inputs(known.named(way.of)))
         own = f"{table.name}.{of.key}" if table is not None else of.key
         starts = [self._start(*one) for name, one in known.asked.items() if name != own]
@@ -194,61 +189,6 @@ def _row(table: Table, sample: int) -> int | None:
     return at.index(sample) if sample in at else 0
 
 
-def _formula(way: Way, known: Known, of: Column | Value) -> Iterator[Formula]:
-    """The formula of a way, where the variant has what it is made of, and the number is there."""
-    if way.by is None:
-        return
-    with suppress(KeyError), np.errstate(invalid="ignore", divide="ignore"):
-        expression = way.by(known)
-        unit = of.unit_of(known.row or 0) if isinstance(of, Column) else of.unit
-        symbol = of.quantity.symbol or Symbol(of.key)
-        formula = Formula(symbol, expression, unit, scale=0.0)
-        if np.isfinite(formula.value):
-            yield formula
-
-
 @cache
-def _ways(chapter: str, name: str) -> tuple[tuple[Way, tuple[str, ...]], ...]:
-    """A chapter's ways to a number, in their order, with what their stars stand for."""
-    whole, starred = _telling(chapter)
-    table, _, key = name.partition(".")
-    places = (f"{table}.{key[:1]}", f"{table}.", table[:1] if not key else "", "")
-    every = (
-        *whole.get(name, ()),
-        *(one for place in dict.fromkeys(places) for one in starred.get(place, ())),
-    )
-    near = (one for one in every if name.startswith(one.start) and name.endswith(one.end))
-    found = ((one.way, fits(one.pattern, name)) for one in sorted(near, key=lambda one: one.order))
-    return tuple((way, parts) for way, parts in found if parts is not None)
-
-
-class _Named(NamedTuple):
-    """A way by one of its names; with what this begins and ends."""
-
-    order: int
-    pattern: str
-    start: str
-    end: str
-    way: Way
-
-
-@cache
-def _telling(chapter: str) -> tuple[dict[str, list[_Named]], dict[str, list[_Named]]]:
-    """A chapter's ways: by whole names, and, of those with stars, by their table and the letter behind it, as far as
-    there is no star; of single numbers by their first letter."""
-    whole: dict[str, list[_Named]] = {}
-    starred: dict[str, list[_Named]] = {}
-    for order, way in enumerate(room(chapter, "ways").WAYS):
-        for key in way.keys.split():
-            parts = key.split("*")
-            table, dot, rest = parts[0].partition(".")
-            at = f"{table}.{rest[:1]}" if dot else table[:1] if "." not in key else ""
-            home, at = (whole, key) if len(parts) == 1 else (starred, at)
-            home.setdefault(at, []).append(_Named(order, key, parts[0], parts[-1], way))
-    return whole, starred
-
-
-def _rooms(results: Results) -> Iterator[tuple[str, Any]]:
-    if results.lever is not None:
-        yield INITIAL_DATA, results.lever
-    yield from chapters(results)
+def _own_ways(chapter: str) -> OwnWays:
+    return OwnWays(room(chapter, "ways").WAYS)

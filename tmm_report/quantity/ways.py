@@ -14,8 +14,9 @@ in what a way is made of for what the first star stands for. A table of the diag
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
@@ -47,6 +48,15 @@ class Input(NamedTuple):
 Line = Message | Formula | Equation | Input
 
 
+class Says(Protocol):
+    @property
+    def says(self) -> bool:
+        """Whether it says more than that there is a method."""
+
+
+T = TypeVar("T", bound=Says)
+
+
 @dataclass(frozen=True, eq=False)
 class Way:
     """How the numbers named by `keys` are found.
@@ -62,11 +72,6 @@ class Way:
     by: Callable[[Known], Expr] | None = None
     worked: Callable[[Any, Known], Iterable[Line]] | None = None
     beside: bool = False
-
-    def fits(self, name: str) -> tuple[str, ...] | None:
-        """What its stars stand for in a name; None where it is not meant."""
-        found = (fits(key, name) for key in self.keys.split())
-        return next((parts for parts in found if parts is not None), None)
 
 
 def fits(pattern: str, name: str) -> tuple[str, ...] | None:
@@ -107,15 +112,75 @@ def summed(prefix: str, but: str = "") -> Callable[[Known], Expr]:
     return total
 
 
-def own_ways(ways: Iterable[Way], name: str) -> Iterator[tuple[Way, tuple[str, ...]]]:
-    """The ways that fit a number, in their order, and what their stars stand for."""
-    table, _, key = name.rpartition(".")
-    names = [name, f"{table.removesuffix('_diagram')}_table.{key}"] if table.endswith("_diagram") else [name]
-    for way in ways:
+class OwnWays:
+    """The ways of a chapter by the names of its numbers: hundreds of them are asked for one after another."""
+
+    def __init__(self, ways: Iterable[Way]):
+        self.whole: dict[str, list[_Named]] = {}
+        self.starred: dict[
+            str, list[_Named]
+        ] = {}  # by the table and the first letter of the key, before any star
+        for number, way in enumerate(ways):
+            for k, key in enumerate(way.keys.split()):
+                start, *rest = key.split("*")
+                table, dot, begun = start.partition(".")
+                place = f"{table}.{begun[:1]}" if dot else table[:1] if "." not in key else ""
+                home, place = (self.starred, place) if rest else (self.whole, key)
+                home.setdefault(place, []).append(
+                    _Named((number, k), key, start, rest[-1] if rest else "", way)
+                )
+
+    def of(self, name: str) -> Iterator[tuple[Way, tuple[str, ...]]]:
+        """The ways that fit a number, in their order, and what their stars stand for."""
+        table, _, key = name.rpartition(".")
+        names = (
+            [name, f"{table.removesuffix('_diagram')}_table.{key}"] if table.endswith("_diagram") else [name]
+        )
+        found: dict[int, tuple[Way, tuple[str, ...]]] = {}
         for one in names:
-            if (parts := way.fits(one)) is not None:
-                yield way, parts
-                break
+            for near in self._near(one):
+                number, _ = near.order
+                if number not in found and (parts := fits(near.pattern, one)) is not None:
+                    found[number] = near.way, parts
+        return (found[number] for number in sorted(found))
+
+    def _near(self, name: str) -> list[_Named]:
+        """Names that may fit."""
+        table, _, key = name.partition(".")
+        places = dict.fromkeys((f"{table}.{key[:1]}", f"{table}.", table[:1] if not key else "", ""))
+        every = [*self.whole.get(name, ()), *(one for place in places for one in self.starred.get(place, ()))]
+        near = (one for one in every if name.startswith(one.start) and name.endswith(one.end))
+        return sorted(near, key=lambda one: one.order)
+
+
+class _Named(NamedTuple):
+    """A way by one of its names; with what this begins and ends."""
+
+    order: tuple[int, int]
+    pattern: str
+    start: str
+    end: str
+    way: Way
+
+
+def telling(every: Iterable[T]) -> T | None:
+    """Of what is told of a number by its ways the first that says with which numbers, else the first."""
+    first = None
+    for one in every:
+        if one.says:
+            return one
+        first = first or one
+    return first
+
+
+def formula(way: Way, known: Known, symbol: Symbol, unit: str) -> Iterator[Formula]:
+    """The formula of a way, where the variant has what it is made of, and the number is there."""
+    if way.by is None:
+        return
+    with suppress(KeyError), np.errstate(invalid="ignore", divide="ignore"):
+        made = Formula(symbol, way.by(known), unit, scale=0.0)
+        if np.isfinite(made.value):
+            yield made
 
 
 @dataclass(frozen=True, eq=False)

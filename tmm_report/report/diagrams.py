@@ -91,9 +91,8 @@ def _whole(symbol: Symbol) -> str:
 def per_mm(unit: str) -> str:
     """The unit of a scale: m/mm, (m/s)/mm, °/mm."""
     unit = unit.replace("deg", "°") or "1"
-    return (
-        f"({unit})/mm" if "/" in unit or unit == "rpm" else f"{unit}/mm"
-    )  # about min⁻¹ others write a fraction
+    fraction = "/" in unit or unit == "rpm"  # which other languages write as one
+    return f"({unit})/mm" if fraction else f"{unit}/mm"
 
 
 def letter(symbol: Symbol | str, tr: Translator) -> Parts:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from functools import cached_property
 from itertools import chain
 from typing import Any
@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 
 from tmm_report.commands.explain.target import Target
-from tmm_report.course import INITIAL_DATA, Results, chapters, room
+from tmm_report.course import Results, room, with_data
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.quantity.ways import GIVEN, Input, Known, Line, Way, by_kind, own_ways
+from tmm_report.quantity.ways import GIVEN, Input, Known, Line, OwnWays, Way, by_kind, formula, telling
 from tmm_report.records import dataclass
 from tmm_report.results import tables, values
 
@@ -49,16 +49,10 @@ class Ways:
     def told(self, target: Target) -> Told | None:
         """The way to a number: the first that says with which numbers; None where its chapter has none."""
         chapter, found = self._chapter(target)
-        own = own_ways(room(chapter, "ways").WAYS, target.name.partition(".")[2])
+        own = OwnWays(room(chapter, "ways").WAYS).of(target.name.partition(".")[2])
         kind = by_kind(target.table, target.column, target.quantity.key)
         of_kind = [(kind, ())] if kind is not None else []
-        every = (self._one(target, found, way, parts) for way, parts in chain(own, of_kind))
-        first = None
-        for told in every:
-            if told.says:
-                return told
-            first = first or told
-        return first
+        return telling(self._one(target, found, way, parts) for way, parts in chain(own, of_kind))
 
     def _one(self, target: Target, found: Any, way: Way, parts: tuple[str, ...]) -> Told:
         rows: list[int | None] = [*target.rows] if target.table is not None else [None]
@@ -77,30 +71,17 @@ class Ways:
     def _of(self) -> dict[str, tuple[str, Any]]:
         """Of every table and every single value the chapter that it is of."""
         found: dict[str, tuple[str, Any]] = {}
-        for name, own in self._rooms():
+        for name, own in with_data(self.results):
             quantities = room(name, "quantities")
             found |= dict.fromkeys((table.name for table in quantities.tables(own)), (name, own))
             found |= dict.fromkeys((f"values.{value.key}" for value in quantities.values(own)), (name, own))
         return found
 
-    def _rooms(self) -> Iterable[tuple[str, Any]]:
-        if self.results.lever is not None:
-            yield INITIAL_DATA, self.results.lever
-        yield from chapters(self.results)
-
 
 def _formula(way: Way, target: Target, known: Known) -> Iterator[Formula]:
-    """The formula of a way, where the variant has what it is made of, and the number is there."""
-    if way.by is None or not np.isfinite(float(target.column.values[known.row or 0])):
-        return
-    try:
-        expression = way.by(known)
-    except KeyError:
-        return
-    symbol = (
-        target.column.symbol(known.row) if target.quantity.symbol is not None else Symbol(target.quantity.key)
-    )
-    formula = Formula(symbol, expression, target.column.unit_of(known.row or 0), scale=0.0)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        if np.isfinite(formula.value):
-            yield formula
+    """Of a number that is there: names have no formula."""
+    row = known.row or 0
+    if way.by is not None and np.isfinite(float(target.column.values[row])):
+        named = target.quantity.symbol is not None
+        symbol = target.column.symbol(known.row) if named else Symbol(target.quantity.key)
+        yield from formula(way, known, symbol, target.column.unit_of(row))

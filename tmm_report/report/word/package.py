@@ -36,13 +36,15 @@ def packed(text: str, form: Docx, given: Mapping[str, Any], stated: date) -> byt
     page = given["page"]
     setup = Setup(page.profile)
     document = finished(text, setup)
+    heads, feet = headers(setup)
     more = {
         **given,
         "form": form,
         "p": page.profile,
         "date": stated,
         "proofed": page.tr.proofed,
-        **dict(zip(("headers", "footers"), headers(setup), strict=True)),
+        "headers": heads,
+        "footers": feet,
         "foot": Markup("".join(tostring(one, encoding="unicode") for one in setup.foot)),
     }
     parts = {name: template(f"word/{source}.xml.j2").render(more).strip().encode() for name, source in PARTS}

@@ -71,15 +71,13 @@ def section(end: Element, setup: Setup, goes_on: bool = False) -> Element:
     wide, tall = (int(end.get(side, "0")) for side in ("wide", "tall"))
     made = element("sectPr")
     opens = kind == "opening" and setup.profile.frames
-    header, footer = setup.header(kind, wide, tall), "title" if kind == "title" else ""
-    for page, names in {
-        "default": (header, footer),
-        "first": ("opening", "opening") if opens else (),
-    }.items():
-        for part, name in zip(("header", "footer"), names, strict=False):
-            reference = element(f"{part}Reference", type=page)
-            reference.set(f"{R}id", f"{name}{part}")
-            made.append(reference)
+    names = [("default", "header", setup.header(kind, wide, tall))]
+    names += [("default", "footer", "title" if kind == "title" else "")]
+    names += [("first", part, "opening") for part in ("header", "footer") if opens]
+    for page, part, name in names:
+        reference = element(f"{part}Reference", type=page)
+        reference.set(f"{R}id", f"{name}{part}")
+        made.append(reference)
     made.append(element("type", val="continuous" if goes_on else "nextPage"))
     above, right, below, left = setup.margins
     if kind == "sheet":
