@@ -69,10 +69,11 @@ function livePlan(figure, plan) {
   const own = svg.getAttribute("viewBox").split(" ").map(Number);
   return () => {
     if (position() === plan.position) return says(figure, ""), restore(figure);
-    const nodes = plan.nodes.map((n) => {
-      const [x, y] = n ? [value(n[0]), value(n[1])] : [null, null];
-      return x === null || y === null ? null : [x, y];
-    });
+    const nodes = plan.at.map((at, n) => (n === plan.begin ? at : null));
+    for (const [n, from, key, sense] of plan.ways) {
+      const of = nodes[from] && vector(key);
+      nodes[n] = of && [0, 1].map((c) => nodes[from][c] + (sense * of[c]) / plan.scale);
+    }
     // the figure keeps its size: a plan that does not fit is drawn smaller, its letters and lines are not
     const box = roomFor(nodes, own);
     const larger = box[2] / own[2];
@@ -119,6 +120,7 @@ function liveChart(figure, chart) {
     const upright = group.appendChild(drawn("path", { d: `M0 ${-bottom}V${-top}` }));
     const curves = panel.curves.map((curve) => ({
       curve,
+      values: typeof curve.values === "string" ? column(...curve.values.split(".").reverse()).values : curve.values,
       dot: group.appendChild(drawn("circle", { r: 0.9 })),
       letter: group.appendChild(drawn("text", { "font-size": 2.8 })),
     }));
@@ -139,8 +141,8 @@ function liveChart(figure, chart) {
     for (const { panel, upright, curves } of marks) {
       const [bottom, top, low, high] = panel.box;
       upright.setAttribute("transform", `translate(${x} 0)`);
-      for (const { curve, dot, letter } of curves) {
-        const now = value(curve.values);
+      for (const { curve, values, dot, letter } of curves) {
+        const now = value(values);
         for (const one of [dot, letter]) one.style.display = now === null ? "none" : "";
         if (now === null) continue;
         const y = -(bottom + ((now - low) / (high - low)) * (top - bottom));

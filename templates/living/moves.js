@@ -8,7 +8,7 @@ function liveMoves(figure, { still, bare, parts, box }) {
   if (bare) hidden.push(...kids.filter((kid) => !hidden.includes(kid)));
   const group = drawn("g", { class: "turning" });
   const all = parts.map((part) => {
-    const shape = new DOMParser().parseFromString(part.svg, "image/svg+xml").documentElement.lastElementChild;
+    const shape = parsed(`<g xmlns="http://www.w3.org/2000/svg" fill="none" stroke-linecap="round" stroke-linejoin="round">${part.svg}</g>`);
     const one = () => group.appendChild(document.importNode(shape, true));
     const count = part.pitch ? Math.ceil(Math.min(180, 60 + 2 * (part.half / Math.hypot(...part.centre)) * 57.3) / part.pitch) : 0;
     return { part, shapes: Array.from({ length: 2 * count + 1 }, (_, n) => [one(), n - count]) };
@@ -26,10 +26,11 @@ function liveMoves(figure, { still, bare, parts, box }) {
       if (part.turns) angle = along(part.at, part.turns);
       if (part.pitch) angle = (((angle % part.pitch) + 1.5 * part.pitch) % part.pitch) - part.pitch / 2;
       if (part.rise) {
-        // from the side: in front of the axis it is seen, behind it not
-        const [up, front] = [Math.sin, Math.cos].map((f) => part.rise * f((angle * Math.PI) / 180));
-        shapes[0][0].setAttribute("transform", `translate(0 ${-up})`);
-        shapes[0][0].style.display = front > 0 ? "" : "none";
+        // from the side: in front of the axis it is seen, behind it not, and where half of a wheel is drawn, on that half
+        const [front, up] = turned(part.rise, [Math.cos, Math.sin].map((f) => f((angle * Math.PI) / 180)));
+        const [x, y] = part.across;
+        shapes[0][0].setAttribute("transform", `translate(${x * up} ${-y * up})`);
+        shapes[0][0].style.display = front > 0 && (!part.side || part.side * up > 0) ? "" : "none";
         continue;
       }
       const orbit = (part.about ?? 0) * whole;

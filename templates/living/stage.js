@@ -83,7 +83,7 @@ function ties() {
 }
 
 function stageDrawn() {
-  const frame = new DOMParser().parseFromString(mechanism.frame, "image/svg+xml").documentElement;
+  const frame = parsed(mechanism.frame);
   const box = bounds(frame);
   const svg = drawn("svg", { viewBox: box.join(" "), role: "img", tabindex: 0, class: "scheme", style: `--mm: ${Math.max(1, box[2] / 110)}` }, drawn("title", {}, words.scheme));
   svg.append(document.importNode(frame.lastElementChild, true));

@@ -22,6 +22,8 @@ function filled(one, attributes, children) {
   return one;
 }
 
+const parsed = (svg) => new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
+
 // New words without a new node: nothing else is laid out anew.
 function say(one, said) {
   if (!one.firstChild) one.append("");

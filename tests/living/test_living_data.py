@@ -92,12 +92,21 @@ def test_columns_are_those_of_the_tables_at_the_numbered_positions(name):
         for one in columns:
             column = cycle.pairs[table][0][one["key"]]
             want = column.numbers(column.quantity.printed)
-            got = np.array([np.nan if x is None else x for x in one["values"]])[said["numbered"]]
-            largest = np.nanmax(np.abs(want), initial=0.0)
-            assert np.allclose(got, want, rtol=0, atol=1e-6 * largest + 1e-12, equal_nan=True), (
+            values = np.array([np.nan if x is None else x for x in one["values"]])
+            got, largest = values[said["numbered"]], np.nanmax(np.abs(values), initial=0.0)
+            assert np.allclose(got, want, rtol=0, atol=5e-6 * largest + 1e-12, equal_nan=True), (
                 table,
                 one["key"],
             )
+
+
+def vertices(found: dict, plan: dict) -> dict[int, np.ndarray]:
+    """Where the vertices of a plan are in all positions, mm, as the script has them."""
+    nodes = {plan["begin"]: np.full(len(found["cycle"]["at"]), complex(*plan["at"][plan["begin"]]))}
+    for end, start, key, sense in plan["ways"]:
+        x, y = (np.array(one, float) for one in found["cycle"]["vectors"][key])
+        nodes[end] = nodes[start] + sense * (x + 1j * y) / plan["scale"]
+    return nodes
 
 
 def test_plans_are_redrawn_by_the_velocities_of_the_motion():
@@ -105,14 +114,12 @@ def test_plans_are_redrawn_by_the_velocities_of_the_motion():
     lever, found = solved("compressor").lever, data("compressor")
     scale, diagram = lever.plans.velocity_scale, lever.kinematics.diagram
     plan = next(one for one in found["plans"].values() if any(key == "v_A" for key, *_ in one["arrows"]))
-    checked = 0
+    nodes, checked = vertices(found, plan), 0
     for key, start, end in plan["arrows"]:
         point = key.removeprefix("v_")
         if point not in found["mechanism"]["points"]:
             continue
-        drawn = [np.array(plan["nodes"][n], float) for n in (start, end)]
-        vector = (drawn[1] - drawn[0])[0] + 1j * (drawn[1] - drawn[0])[1]
-        assert np.allclose(vector, diagram.velocity(point) / scale, atol=2e-3), key
+        assert np.allclose(nodes[end] - nodes[start], diagram.velocity(point) / scale, atol=1e-2), key
         checked += 1
     assert checked >= 4
 
@@ -124,18 +131,16 @@ def test_force_plans_close_in_every_position(name):
     reactions = solved(name).lever.kinetostatics.diagram.statics.reactions
     checked = 0
     for plan in found["plans"].values():
+        nodes = vertices(found, plan)
         for key, start, end in plan["arrows"]:
-            if not (match := re.fullmatch(r"R_(\d)(\d)", key)) or not (
-                plan["nodes"][start] and plan["nodes"][end]
-            ):
+            if not (match := re.fullmatch(r"R_(\d)(\d)", key)) or not {start, end} <= nodes.keys():
                 continue
             force = next(
                 reactions[k].force
                 for k in (f"{match[1]}-{match[2]}", f"{match[2]}-{match[1]}")
                 if k in reactions
             )
-            u, v = (np.array(plan["nodes"][n], float) for n in (start, end))
-            long = np.hypot(*(v - u))
+            long = np.abs(nodes[end] - nodes[start])
             position = plan["position"]
             assert np.allclose(
                 long / long[position], np.abs(force) / abs(force[position]), rtol=0.02, atol=0.02
@@ -147,12 +152,12 @@ def test_force_plans_close_in_every_position(name):
 def test_a_cursor_has_the_numbers_of_the_results():
     lever, found = solved("compressor").lever, data("compressor")
     moment = lever.kinetostatics.diagram.balancing
-    curves = [c for chart in found["charts"].values() for p in chart["panels"] for c in p["curves"]]
-    near = [
-        c
-        for c in curves
-        if np.allclose(np.array(c["values"], float), moment, rtol=1e-3, atol=1e-3 * np.max(np.abs(moment)))
-    ]
+    curves = [c["values"] for chart in found["charts"].values() for p in chart["panels"] for c in p["curves"]]
+    columns = {
+        f"{name}.{c['key']}": c["values"] for name, of in found["cycle"]["columns"].items() for c in of
+    }
+    values = (np.array(columns[c] if isinstance(c, str) else c, float) for c in curves)
+    near = [c for c in values if np.allclose(c, moment, rtol=1e-3, atol=1e-3 * np.max(np.abs(moment)))]
     assert near, "the diagram of the balancing moment has no cursor with its numbers"
 
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from conftest import solved
 from exhaustive import many
-from test_living_data import ORDERED, data, known, page
+from test_living_data import ORDERED, data, known, page, vertices
 from test_living_page import number, opened, run
 
 from tmm_report import load, render, solve
@@ -68,6 +68,32 @@ def test_a_cylinder_holds_the_link_that_it_moves():
     held = [one for one in schemes(found).values() if "F_stroke" in [key for key, *_ in one["forces"]]]
     assert [one["moment"] for one in held] == ["F_stroke"]
     in_equilibrium(found)
+
+
+CASES = Path(__file__).parent.parent / "cases" / "explain"
+CYLINDERS = (Path(__file__).with_name("loader.yaml"), CASES / "boom_by_cylinder.yaml")
+
+
+@pytest.mark.parametrize("file", CYLINDERS, ids=lambda file: file.stem)
+def test_a_plan_moves_to_what_is_constructed_in_another_position(file):
+    """Parts of reactions and the force of a cylinder among its vectors: within what a reading errs."""
+    stated = file.read_text("utf-8").partition("friction:")[0]
+    stated = re.sub("plans: .*", "plans: [2, 6], force_plan: [2, 6]}", stated)
+    found = known(render(solve(load(stated)), "html", depth="full")["note.html"].decode())
+    plans = [one for one in found["plans"].values() if any(key[0] in "GFR" for key, *_ in one["arrows"])]
+    half = len(plans) // 2
+    assert len(plans) == 2 * half >= 4
+    for one, other in zip(plans[:half], plans[half:], strict=True):
+        assert [key for key, *_ in one["arrows"]] == [key for key, *_ in other["arrows"]]
+        nodes, at = vertices(found, one), other["position"]
+        assert len(nodes) == len(one["at"]) == len(other["at"]) and at != one["position"]
+        begin = (
+            complex(*other["at"][other["begin"]]) - nodes[one["begin"]][at] * one["scale"] / other["scale"]
+        )
+        sizes = [abs(complex(*z) - complex(*other["at"][other["begin"]])) for z in other["at"]]
+        for n, z in enumerate(other["at"]):
+            moved = nodes[n][at] * one["scale"] / other["scale"] + begin
+            assert abs(moved - complex(*z)) < 0.02 * max(sizes) + 0.3, n
 
 
 def in_equilibrium(found):

@@ -4,6 +4,7 @@ cam stays under its follower."""
 from __future__ import annotations
 
 import base64
+import cmath
 import math
 import re
 from functools import cache
@@ -80,9 +81,9 @@ def test_marks_of_wheels_from_the_side_pass_one_another_as_fast(name):
     speeds = next(t for t in tables(solved(name)) if t.name == "drive_speeds")
     omega = dict(zip(map(str, speeds["member"].values), speeds["omega"].numbers(), strict=True))
     largest = max(map(abs, omega.values()))
-    found = {}
+    found: dict[float, list[complex]] = {}
     for part in marks(name):
-        found.setdefault(round(part["rate"], 9), []).append(part["rise"])
+        found.setdefault(round(part["rate"], 9), []).append(complex(*part["rise"]))
     assert all(sum(rises) == 0 for rises in found.values())
     pair = next(
         stage for stage in solved(name).drive.stages if type(stage).__module__.endswith("spur.solve.pair")
@@ -167,12 +168,40 @@ def test_a_mark_is_seen_in_front_of_its_axis():
     for anchor, one in moves("hoist_drive").items():
         parts = [part for part in one["parts"] if "rise" in part]
         for at, shown in zip((5, 47, 101), seen("hoist_drive")[anchor]["shown"], strict=True):
-            turned = [(part["rise"], math.radians(part["rate"] * at)) for part in parts]
-            wanted = [-rise * math.sin(angle) for rise, angle in turned if rise * math.cos(angle) > 0]
+            turned = [
+                (complex(*part["rise"]) * cmath.exp(1j * math.radians(part["rate"] * at)), part)
+                for part in parts
+            ]
+            wanted = [-z.imag for z, part in turned if z.real > 0 and part.get("side", z.imag) * z.imag > 0]
             if parts:
                 assert [part[3] for part in shown] == pytest.approx(wanted, abs=1e-3)
                 checked += len(wanted)
     assert checked >= 9
+
+
+@pytest.mark.parametrize("name", ["hoist_drive", "conveyor_drive"])
+def test_every_member_of_a_drive_shows_how_it_turns(name):
+    """From the side a mark at its rim, of a carrier at the pin of its satellites, as fast as the table has it; one of
+    every member is in sight at any time."""
+    drive, speeds = solved(name).drive, next(t for t in tables(solved(name)) if t.name == "drive_speeds")
+    omega = dict(zip(map(str, speeds["member"].values), speeds["omega"].numbers(), strict=True))
+    largest, checked = max(map(abs, omega.values())), 0
+    for member in (member for stage in drive.stages for member in stage.members if omega[member.name]):
+        radius, rate = member.radius / drive.plans.length_scale, omega[member.name] / largest
+        own = [
+            part
+            for part in marks(name)
+            if part["rate"] == pytest.approx(rate)
+            and abs(abs(complex(*part["rise"])) - radius) < 1.01 * CLEAR
+        ]
+        for angle in (1.0, 2.0, 3.0, 4.0, 5.0):
+            now = [(complex(*part["rise"]) * cmath.exp(1j * angle), part.get("side", 0)) for part in own]
+            assert any(z.real > 0 and (not side or side * z.imag > 0) for z, side in now), (
+                member.name,
+                angle,
+            )
+        checked += 1
+    assert checked >= 4
 
 
 def test_the_cam_turns_by_the_angle_that_is_shown():

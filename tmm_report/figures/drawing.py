@@ -76,6 +76,7 @@ __all__ = [
     "line",
     "polygon",
     "polyline",
+    "shapes",
     "svg",
     "tikz",
     "together",
@@ -119,7 +120,8 @@ class Moving(NamedTuple):
     """What moves of a drawing: `items`, about `centre` as member `of` of a drive turns, in the `sense` that is drawn, 0
     where that is the member's own; the centre about the origin as member `about` does. `pitch`: of teeth, rad, of which
     one is drawn; those in the middle of the sheet, `half` mm wide to either side, are seen. `rise`: of a mark on a
-    wheel seen from the side, its radius, mm: it goes up in front of the axis; below zero it is behind it at first.
+    wheel seen from the side, where it is about the axis at first, mm: how far in front of it, and, as the imaginary
+    part, how far along `across`. It is seen in front of the axis; of a wheel of which one half is drawn, on its `side`.
     Without a member: `turns`, rad, and `ways`, mm, at the angles `at` of a cycle, rad."""
 
     items: tuple[Item, ...]
@@ -129,7 +131,9 @@ class Moving(NamedTuple):
     about: str = ""
     pitch: float = 0.0
     half: float = 0.0
-    rise: float = 0.0
+    rise: complex = 0j
+    across: complex = 1j
+    side: int = 0
     at: tuple[float, ...] = ()
     turns: tuple[float, ...] = ()
     ways: tuple[complex, ...] = ()
@@ -201,6 +205,7 @@ def together(places: Mapping[str, complex], within: float = 0.5) -> list[tuple[l
 # --- SVG ---
 
 FONTS = "'Note Serif','Note Math','Times New Roman','Liberation Serif','DejaVu Serif',serif"
+DRAWN = 'fill="none" stroke-linecap="round" stroke-linejoin="round"'
 FAR = 1000.0  # mm: TeX knows no length over 5.7 m, and a browser counts in single precision
 
 
@@ -223,14 +228,24 @@ def svg(drawing: Drawing, title: str = "") -> str:
         f'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="{wide}mm" height="{tall}mm"'
         f' viewBox="{written(left)} {written(-top)} {wide} {tall}">'
     )
-    style = f'<g fill="none" stroke-linecap="round" stroke-linejoin="round" font-family="{FONTS}" font-size="{TEXT}">'
+    style = f'<g {DRAWN} font-family="{FONTS}" font-size="{TEXT}">'
     places: list[complex] = []
-    body = "".join([item.svg(places) for item in thinned(drawing.items) if not isinstance(item, Text)])
+    body = _body(drawing.items, places)
     texts = "".join([item.svg(places) for item in drawing.items if isinstance(item, Text)])
     drawn = with_places(f'{body}<g fill="#000000">{texts}</g>', places)
     title = drawing.title or title
     title = f"<title>{xml_text(title)}</title>" if title else ""
     return f"{head}{title}{style}{drawn}</g></svg>"
+
+
+def shapes(items: Sequence[Item]) -> str:
+    """What stands in a drawing's group with the attributes DRAWN, but for its letters."""
+    places: list[complex] = []
+    return with_places(_body(items, places), places)
+
+
+def _body(items: Sequence[Item], places: list[complex]) -> str:
+    return "".join([item.svg(places) for item in thinned(items) if not isinstance(item, Text)])
 
 
 # --- TikZ ---

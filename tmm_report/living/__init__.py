@@ -68,7 +68,7 @@ def known(results: Results, page: Page, pictures: Pictures, shown: Container[str
     lever, moves = results.lever, moved(pictures, results)
     if lever is None or (cycle := cycle_of(results)) is None:
         turn = positions_of(results)
-        charts = cursors(pictures, turn, page.tr)
+        charts = cursors(pictures, turn, page.tr, shown)
         if not moves and not charts:
             return found
         return found | {"cycle": turn.said(page.tr, shown, {}, {}), "moves": moves, "charts": charts}
@@ -77,17 +77,19 @@ def known(results: Results, page: Page, pictures: Pictures, shown: Container[str
     drawn = {key for key in cycle.vectors if key[:2] in ("v_", "a_") and key[2:] in mechanism["points"]}
     drawn |= {key for key, *_ in mechanism["forces"] if key in cycle.vectors}
     vectors, turning, schemes = {key: cycle.vectors[key] for key in sorted(drawn)}, {}, {}
+    of_plans: Mapping[str, Any] = cycle.vectors
     if (forces := lever.kinetostatics) is not None:
         loads = Loads(cycle, view, forces, {key: at for key, at, _ in mechanism["forces"]}, page.tr)
         schemes = loads.schemes(pictures)
-        vectors, turning = vectors | loads.vectors, loads.turning
+        vectors, turning, of_plans = vectors | loads.vectors, loads.turning, loads.known
+    plans, more = polygons(pictures, cycle, of_plans, vectors)
     return found | {
-        "cycle": cycle.said(page.tr, shown, vectors, turning),
+        "cycle": cycle.said(page.tr, shown, vectors | more, turning),
         "mechanism": mechanism,
-        "plans": polygons(pictures, cycle),
+        "plans": plans,
         "loads": schemes,
         "moves": moves,
-        "charts": cursors(pictures, cycle, page.tr),
+        "charts": cursors(pictures, cycle, page.tr, shown),
     }
 
 

@@ -3,8 +3,9 @@ of all tables over these."""
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from functools import cached_property
+from itertools import groupby
 from typing import Any
 
 import numpy as np
@@ -20,7 +21,7 @@ from tmm_report.report.plain import Plain
 from tmm_report.results import tables
 
 Array = Any
-DIGITS = 7  # of the largest number of a column: two more than are printed
+DIGITS = 6  # of the largest number of a column: one more than is printed
 SIGHT = 5  # of what is only drawn
 SAME = 1e-9  # rad: nearer angles are one position
 ASIDE = ("position", "phi", "t")
@@ -60,13 +61,8 @@ class Positions:
             "numbered": self.numbered.tolist(),
             "closed": self.closed,
             "columns": {
-                name: [
-                    self._column(column, other[column.key], tr)
-                    for column in one.columns
-                    if column.key in shown and column.key not in ASIDE and column.key in other and not _is_text(column)
-                    and not (column.key[-2:] in ("_x", "_y") and column.key[:-2] in self.vectors)
-                ]
-                for name, (one, other) in self.pairs.items()
+                name: [self._column(one, other, tr) for _, one, other in group]
+                for name, group in groupby(self.told(shown), lambda row: row[0])
             },
             "vectors": {
                 key: [numbers(one.real, SIGHT), numbers(one.imag, SIGHT)]
@@ -75,10 +71,25 @@ class Positions:
             "turning": {key: numbers(one, SIGHT) for key, one in turning.items()},
         }  # fmt: skip
 
+    def told(self, shown: Container[str]) -> Iterator[tuple[str, Column, Column]]:
+        """Name of the tables, column of the table and of the diagram positions: of those `shown` that are no axes, no
+        texts and no projections of vectors."""
+        for name, (one, other) in self.pairs.items():
+            for column in one.columns:
+                key = column.key
+                projected = key[-2:] in ("_x", "_y") and key[:-2] in self.vectors
+                if key in shown and key not in ASIDE and key in other and not (projected or _is_text(column)):
+                    yield name, column, other[key]
+
+    def values(self, one: Column, other: Column) -> Array:
+        """In the unit of print, (Q,)."""
+        unit = one.quantity.printed
+        return self.merged(one.numbers(unit), other.numbers(unit))
+
     def _column(self, one: Column, other: Column, tr: Translator) -> dict[str, Any]:
         unit = one.quantity.printed
         sign = Plain(tr).symbol(one.quantity.symbol) if one.quantity.symbol is not None else one.key
-        values = numbers(self.merged(one.numbers(unit), other.numbers(unit)))
+        values = numbers(self.values(one, other))
         return {"key": one.key, "sign": sign, "unit": unit_text(unit, tr.language), "values": values}
 
 
@@ -100,6 +111,11 @@ class Cycle(Positions):
     """Those of a lever mechanism."""
 
     kinematics: Kinematics
+
+    def both(self, of: Callable[..., Array], *named: Any) -> Array:
+        """What the motion has of what is named, at the positions, (Q,)."""
+        k = self.kinematics
+        return self.merged(*(np.broadcast_to(of(m, *named), m.shape) for m in (k.table, k.diagram)))
 
     @cached_property
     def vectors(self) -> dict[str, Array]:

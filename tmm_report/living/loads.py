@@ -25,7 +25,9 @@ from tmm_report.figures.lettering import Part, lettered
 from tmm_report.figures.schemes.view import View
 from tmm_report.i18n import Translator
 from tmm_report.living.cycle import Cycle, places
+from tmm_report.mechanics.lever.driving.triangle import Triangle
 from tmm_report.mechanics.lever.mechanism import FRAME
+from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.quantity.model import Quantity
 
 Array = Any
@@ -102,15 +104,14 @@ class Loads:
         self.at[GEAR.key] = [places(at.real, 2), places(at.imag, 2)]
 
     def _stroke(self) -> None:
-        """The force of a driving cylinder on the point that it moves from a fixed one: away from this where it is above
-        zero."""
-        fixed = self.view.mechanism.links[FRAME].points
-        ends = self.view.cylinder or ()
-        moved = [point for point in ends if point not in fixed]
-        if len(moved) == 1 and "drive" in self.cycle.pairs:
+        """The force along a driving stroke, as this grows where it is above zero, on the slider or the point that the
+        cylinder moves."""
+        stroke = self.found.kinematics.linkage.mechanism.driver.stroke
+        if isinstance(stroke, Triangle) and "drive" in self.cycle.pairs:
             force = self.cycle.merged(*(table[STROKE.key].numbers() for table in self.cycle.pairs["drive"]))
-            way = self._way(next(point for point in ends if point in fixed), moved[0])
-            self.known[STROKE.key], self.at[STROKE.key] = force * way / np.abs(way), moved[0]
+            _, pin, far = stroke.names
+            self.known[STROKE.key] = force * self.cycle.both(stroke.along)
+            self.at[STROKE.key] = far if stroke.slides else pin
 
     def _balanced(self, acts: Acts) -> str:
         """Key of the moment or the force that balances what is shown, "" where nothing does."""
@@ -242,9 +243,7 @@ class Loads:
         """Places of a point, mm of the mechanism; of a centre of curvature where it is on the sheet."""
         if (cam := self.centres.get(point)) is None:
             return self.view.motion.at(*self._carried(point))
-        k = self.cycle.kinematics
-        both = (np.broadcast_to(m.place(point), m.shape) for m in (k.table, k.diagram))
-        found = self.cycle.merged(*both) / self.view.motion.mu
+        found = self.cycle.both(Motion.place, point) / self.view.motion.mu
         return np.where(np.abs(found - self._at(cam.point)) <= REACH, found, np.nan)
 
     def _carried(self, point: str) -> tuple[str, complex]:

@@ -29,7 +29,7 @@ from tmm_report.report.page import Page
 Array = Any
 OPEN = 0.005  # mm of paper
 BETWEEN = (0.25, 0.5, 0.75)  # where the joints are looked at, of the way between two positions
-COORDINATE, ANGLE = 5, 7  # decimals of mm and rad
+COORDINATE, ANGLE = 4, 6  # decimals of mm and rad
 
 
 def seen(lever: LeverFound, cycle: Cycle, page: Page) -> View:
@@ -59,14 +59,9 @@ def moving(lever: LeverFound, cycle: Cycle, view: View) -> dict[str, Any]:
 
 def _seen(mechanism: Any, cycle: Cycle) -> tuple[dict[str, Array], dict[str, Array]]:
     """Places of the points, m, and directions of the links at all positions."""
-    k = cycle.kinematics
-
-    def both(of: Any) -> Array:
-        return cycle.merged(*(np.broadcast_to(of(motion), motion.shape) for motion in (k.table, k.diagram)))
-
     return (
-        {point: both(lambda m, p=point: m.place(p)) for point in mechanism.point_names},
-        {link: both(lambda m, n=link: m.turn(n)) for link in mechanism.moving},
+        {point: cycle.both(Motion.place, point) for point in mechanism.point_names},
+        {link: cycle.both(Motion.turn, link) for link in mechanism.moving},
     )
 
 
@@ -142,24 +137,12 @@ class Poses:
         return {name: self._of(name) for name in self.view.mechanism.moving}
 
     def _of(self, name: str) -> tuple[Array, Array, Array]:
-        k, mu = self.cycle.kinematics, self.view.motion.mu
-        rate = abs(k.omega)
-
-        def both(of: Any) -> Array:
-            return self.cycle.merged(
-                *(np.broadcast_to(of(motion), motion.shape) for motion in (k.table, k.diagram))
-            )
-
-        omega, epsilon = (
-            both(lambda m: m.angular_velocity(name)) / rate,
-            both(lambda m: m.angular_acceleration(name)) / rate**2,
-        )
-        axes = self.view.motion.axes[name]
-        angle = _unwrapped(np.angle(axes))
-        place, velocity, acceleration = (
-            both(lambda m, which=which: _origin(m, name, which)) for which in range(3)
-        )
+        both, mu, rate = self.cycle.both, self.view.motion.mu, abs(self.cycle.kinematics.omega)
+        omega = both(Motion.angular_velocity, name) / rate
+        epsilon = both(Motion.angular_acceleration, name) / rate**2
+        angle = _unwrapped(np.angle(self.view.motion.axes[name]))
         place = self.view.motion.origins[name]
+        velocity, acceleration = (both(of, name) for of in (_velocity, _acceleration))
         velocity, acceleration = velocity / (mu * rate), acceleration / (mu * rate**2)
         along = np.array([place, velocity, acceleration])
         return along.real, along.imag, np.array([angle, omega, epsilon])
@@ -200,15 +183,16 @@ class Poses:
                 yield ((spot - start) * along.conj()).imag
 
 
-def _origin(motion: Motion, name: str, which: int) -> Array:
-    """Velocity (1) or acceleration (2) of the origin of a link's axes, m/s, m/s²; nothing for 0."""
+def _velocity(motion: Motion, name: str) -> Array:
+    """Of the origin of a link's axes, m/s."""
     s = motion.state
-    arm = -s.u[name] * s.o[name]
-    if which == 0:
-        return np.zeros(motion.shape, complex)
-    if which == 1:
-        return s.v[name] + 1j * s.w[name] * arm
-    return s.a[name] + (1j * s.e[name] - s.w[name] ** 2) * arm
+    return s.v[name] - 1j * s.w[name] * s.u[name] * s.o[name]
+
+
+def _acceleration(motion: Motion, name: str) -> Array:
+    """Of the origin of a link's axes, m/s²."""
+    s = motion.state
+    return s.a[name] - (1j * s.e[name] - s.w[name] ** 2) * s.u[name] * s.o[name]
 
 
 def _unwrapped(angle: Array) -> Array:

@@ -15,7 +15,7 @@ import numpy as np
 
 from tmm_report.course import Results
 from tmm_report.figures.charts.graphs import Graph
-from tmm_report.figures.drawing import Drawing, Moves, Moving, Text, svg
+from tmm_report.figures.drawing import Drawing, Moves, Moving, Text, shapes
 from tmm_report.figures.primitives import Item
 from tmm_report.living.cycle import places
 from tmm_report.results import tables
@@ -55,14 +55,17 @@ def _rates(results: Results) -> dict[str, float]:
 def _part(part: Moving, rates: Mapping[str, float]) -> dict[str, Any]:
     rate = rates.get(part.of, 0.0)
     said: dict[str, Any] = {
-        "svg": svg(Drawing(part.items)),
-        "centre": [round(part.centre.real, 4), round(part.centre.imag, 4)],
+        "svg": shapes(part.items),
+        "centre": _pair(part.centre),
         "rate": part.sense * abs(rate) if part.sense else rate,
     }
     if part.about:
         said["about"] = rates[part.about]
     if part.rise:
-        said["rise"] = round(part.rise, 3)
+        said["rise"] = _pair(part.rise)
+        said["across"] = _pair(part.across)
+        if part.side:
+            said["side"] = part.side
     if part.pitch:
         said |= {"pitch": np.degrees(part.pitch), "half": part.half}
     if part.at:
@@ -72,6 +75,10 @@ def _part(part: Moving, rates: Mapping[str, float]) -> dict[str, Any]:
     if part.ways:
         said["ways"] = [places(np.real(part.ways), 3), places(np.imag(part.ways), 3)]
     return said
+
+
+def _pair(z: complex) -> list[float]:
+    return [round(z.real, 4) + 0.0, round(z.imag, 4) + 0.0]
 
 
 def _box(picture: Drawing, moves: Moves) -> list[float]:

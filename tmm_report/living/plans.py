@@ -1,20 +1,26 @@
 """Plans of velocities, accelerations and forces as the script redraws them: where their vertices are in every position.
 
 A plan is read as a graph: ends of its vectors that meet are one vertex, and a vector of the results leads from one to
-the next. From the vertex in which the plan begins all that can be reached are known in every position. A vector that
-is in no table of the positions (a tangential part of a reaction) is shown only where it was constructed.
+the next. From the vertex in which the plan begins all that can be reached are known in every position. A tangential
+and a normal part of a reaction are those of the reaction of the position; a vector that is of no position but that in
+which it was constructed is shown there alone.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from tmm_report.chapters.lever.kinetostatics.quantities.positions import reaction, reaction_part
 from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing, Planned
-from tmm_report.living.cycle import Cycle, places
+from tmm_report.living.cycle import Cycle
+from tmm_report.mechanics.lever.assur_groups import Pair
+from tmm_report.mechanics.lever.driving.triangle import Triangle
+from tmm_report.mechanics.lever.dyads import Dyad
+from tmm_report.mechanics.lever.motion import Motion
 
 Array = Any
 MEET = 0.02  # mm: ends of vectors nearer than this are one vertex
@@ -30,40 +36,87 @@ class _Edge(NamedTuple):
     vector: complex  # mm, as it is drawn
 
 
-def polygons(pictures: Mapping[str, Drawing | Graph], cycle: Cycle) -> dict[str, Any]:
-    found = {}
+def polygons(
+    pictures: Mapping[str, Drawing | Graph], cycle: Cycle, vectors: Mapping[str, Array], sent: Container[str]
+) -> tuple[dict[str, Any], dict[str, Array]]:
+    """The plans, and the vectors that they need beside those that are `sent` anyway. `vectors`: all that are known in
+    every position, SI."""
+    found, vectors = {}, {**vectors, **dict(_components(cycle))}
     for anchor, picture in pictures.items():
         plan = picture.plan if isinstance(picture, Drawing) else None
-        if plan is not None and (one := _polygon(plan, cycle)) is not None:
+        if plan is not None and (one := _polygon(plan, cycle, vectors, sent)) is not None:
             found[anchor] = one
-    return found
+    keys = {key for one in found.values() for _, _, key, _ in one["ways"]}
+    return found, {key: vectors[key] for key in sorted(keys) if key not in sent}
 
 
-def _polygon(plan: Planned, cycle: Cycle) -> dict[str, Any] | None:
+def _polygon(
+    plan: Planned, cycle: Cycle, vectors: Mapping[str, Array], sent: Container[str]
+) -> dict[str, Any] | None:
+    """`ways`: from the vertex in which the plan begins on, a vertex, that from which it is reached, by which vector,
+    and in what sense."""
     nodes, edges = _graph(plan)
-    known = {e.key: cycle.vectors[e.key] / plan.scale for e in edges if e.key in cycle.vectors}
+    known = {e.key: vectors[e.key] / plan.scale for e in edges if e.key in vectors}
     if not known:
         return None
     position = _position(edges, known, cycle)
-    edges_known = [(e, way) for e in edges if (way := _way(e, known, position)) is not None]
-    reached: list[Array | None] = [None] * len(nodes)
-    if not edges_known:
+    senses = [(e, sense) for e in edges if (sense := _sense(e, known, position))]
+    if not senses:
         return None
-    first = edges[0].start
-    reached[first] = np.full(len(cycle.turned), nodes[first])
+    senses.sort(key=lambda one: one[0].key not in sent)
+    ways: list[tuple[int, int, str, int]] = []
+    reached = {edges[0].start}
     for _ in nodes:  # as many rounds as the longest way may have
-        for edge, way in edges_known:
-            start, end = reached[edge.start], reached[edge.end]
-            if start is not None and end is None:
-                reached[edge.end] = start + way
-            elif end is not None and start is None:
-                reached[edge.start] = end - way
+        for edge, sense in senses:
+            if edge.start in reached and edge.end not in reached:
+                ways.append((edge.end, edge.start, edge.key, sense))
+            elif edge.end in reached and edge.start not in reached:
+                ways.append((edge.start, edge.end, edge.key, -sense))
+            reached |= {n for n, *_ in ways}
     return {
         "position": int(position),
-        "nodes": [None if one is None else [places(one.real, 3), places(one.imag, 3)] for one in reached],
+        "scale": plan.scale,
+        "begin": edges[0].start,
+        "ways": ways,
         "at": [[round(z.real, 3) + 0.0, round(z.imag, 3) + 0.0] for z in nodes],
         "arrows": [[e.key, e.start, e.end] for e in edges],
     }
+
+
+def _components(cycle: Cycle) -> Iterator[tuple[str, Array]]:
+    """Of the reactions that are found by moments about a joint, the parts across the arm to it and along it."""
+    for by, on, arm in _arms(cycle):
+        force = cycle.vectors[reaction(by, on).key]
+        normal = (force * arm.conj()).real * arm / np.abs(arm) ** 2
+        yield reaction_part(by, on, "n").key, normal
+        yield reaction_part(by, on, "t").key, force - normal
+
+
+def _arms(cycle: Cycle) -> Iterator[tuple[str, str, Array]]:
+    """Links between which such a reaction acts, and the arm to its joint from that of the moments, m."""
+    linkage, stroke = cycle.kinematics.linkage, cycle.kinematics.linkage.mechanism.driver.stroke
+    for group in linkage.groups:
+        if stroke is not None and set(stroke.by) & set(group.links):
+            if isinstance(stroke, Triangle):
+                _, pin, far = stroke.names
+                end = next(p.other(stroke.link) for p in group.group.outer if stroke.link in p.links)
+                yield end, stroke.link, cycle.both(Motion.place, pin) - cycle.both(Motion.place, far)
+        elif isinstance(group, Dyad):
+            for pair, link, about in _about(group):
+                yield pair.other(link), link, cycle.both(_joint, pair) - cycle.both(_joint, about)
+
+
+def _about(dyad: Dyad) -> Iterator[tuple[Pair, str, Pair]]:
+    """Outer joints of a dyad with the link in each and the joint about which the moments are taken."""
+    if dyad.kind in (1, 2, 3):
+        yield dyad.outer_a, dyad.a, dyad.outer_b if dyad.kind == 3 else dyad.inner
+    if dyad.kind == 1:
+        yield dyad.outer_b, dyad.b, dyad.inner
+
+
+def _joint(motion: Motion, pair: Pair) -> Array:
+    link = pair.slider or pair.links[1]
+    return motion.state.world(link, pair.at[link])
 
 
 def _graph(plan: Planned) -> tuple[list[complex], list[_Edge]]:
@@ -87,13 +140,9 @@ def _position(edges: Sequence[_Edge], known: Mapping[str, Array], cycle: Cycle) 
     return int(cycle.numbered[int(np.argmin(np.where(np.isfinite(miss), miss, np.inf)))])
 
 
-def _way(edge: _Edge, known: Mapping[str, Array], position: int) -> Array | None:
-    """The vector in all positions, in the sense in which it is drawn; None where it is another, or not known."""
+def _sense(edge: _Edge, known: Mapping[str, Array], position: int) -> int:
+    """In what sense the vector is drawn, ±1; 0 where it is another, or not known."""
     if edge.key not in known:
-        return None
-    vector = known[edge.key]
-    allowed = AGREES * abs(edge.vector) + 0.3
-    for sense in (1, -1):
-        if abs(sense * vector[position] - edge.vector) <= allowed:
-            return sense * vector
-    return None
+        return 0
+    vector, allowed = known[edge.key][position], AGREES * abs(edge.vector) + 0.3
+    return next((sense for sense in (1, -1) if abs(sense * vector - edge.vector) <= allowed), 0)

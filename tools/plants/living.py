@@ -5,6 +5,7 @@ from __future__ import annotations
 from faults import Fault
 
 LIVING, SCRIPT = "tmm_report/living/", "templates/living/"
+DRIVE = "tmm_report/chapters/gears/drive/draw/"
 MOVES = ("tests/living/test_living_moves.py",)
 LOADS = ("tests/living/test_living_loads.py",)
 TOLD = ("tests/living/test_living_told.py",)
@@ -19,7 +20,13 @@ FAULTS = (
     Fault("the numbered positions are those of the diagram", LIVING + "cycle.py",
           "np.searchsorted(turned, found.turned - SAME)", "np.arange(len(found.turned))", "compressor", DATA),
     Fault("a vertex of a plan goes against its vector", LIVING + "plans.py",
-          "reached[edge.end] = start + way", "reached[edge.end] = start - way", "compressor", DATA),
+          "edge.key, -sense))", "edge.key, sense))", "compressor", DATA),
+    Fault("parts of a reaction keep the directions of one position", LIVING + "plans.py",
+          "        normal = (force", "        arm = arm[cycle.numbered[2]]\n        normal = (force",
+          "compressor", LOADS),
+    Fault("a satellite from the side turns with its carrier", DRIVE + "planetary.py",
+          "sketch.mark(x, self.pin, half, member.name)", "sketch.mark(x, self.pin, half, self.carrier.name)",
+          "hoist_drive", MOVES),
     Fault("a name ends the block of data", LIVING + "__init__.py",
           '.replace("<", "\\\\u003c")', "", "compressor", DATA),
     Fault("the script is not the one that the policy allows", LIVING + "__init__.py",
@@ -47,7 +54,7 @@ FAULTS = (
           "return [[places(centre.real, 2), places(centre.imag, 2)]",
           "return [[places(centre.imag, 2), places(centre.real, 2)]", "cam_press", LOADS),
     Fault("a cylinder pulls where it pushes", LIVING + "loads.py",
-          "force * way / np.abs(way), moved[0]", "-force * way / np.abs(way), moved[0]", "compressor", LOADS),
+          "= force * self.cycle.both(stroke.along)", "= -force * self.cycle.both(stroke.along)", "compressor", LOADS),
     Fault("a wheel in mesh slides on the other", LIVING + "moves.py",
           "part.sense * abs(rate) if part.sense else rate", "part.sense or rate", "hoist_drive", MOVES),
     Fault("satellites do not turn of themselves", LIVING + "moves.py",

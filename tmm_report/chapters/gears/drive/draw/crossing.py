@@ -7,11 +7,11 @@ import cmath
 import math
 
 from tmm_report.chapters.gears.drive.draw.pair import wheel
-from tmm_report.chapters.gears.drive.draw.sketch import CLEAR, RIM, SIDE, Sketch
+from tmm_report.chapters.gears.drive.draw.sketch import CLEAR, MARK, RIM, SIDE, Sketch
 from tmm_report.chapters.gears.drive.stages import member
 from tmm_report.chapters.gears.ordinary.given import WormStage
 from tmm_report.chapters.gears.ordinary.solve import Found
-from tmm_report.figures.drawing import AXIS, NORMAL, Circle, dot, line
+from tmm_report.figures.drawing import AXIS, NORMAL, Circle, Moving, dot, line
 from tmm_report.figures.schemes.crossed_axes import cone, thread
 from tmm_report.figures.schemes.marks import turning
 from tmm_report.mechanics.gears.trains import Member
@@ -58,6 +58,9 @@ def _worm(sketch: Sketch, stage: Found, entry: Member, out: Member) -> float:
     if around > 5:
         turns = -stage.given.sense if sketch.speed[entry.name] > 0 else stage.given.sense
         sketch.items += turning(centre, 0.6 * around, math.radians(-100 * turns), math.radians(200 * turns))
+        spoke = line(centre + 0.7j * around, centre + 1j * max(around - CLEAR, 0.5), MARK)
+        sketch.marks.append(Moving((spoke,), centre, out.name, turns))
+    sketch.mark(x, y, max(sketch.radius(entry) - CLEAR, 1.0), entry.name, WORM)
     away = 1 if stage.given.worm == "above" else -1
     sketch.name(entry.name, complex(x + WORM, y + away * sketch.radius(entry)), complex(1, away))
     sketch.x = x + max(around, WORM + ROOM)
@@ -72,6 +75,7 @@ def _cones(sketch: Sketch, stage: Found, entry: Member) -> float:
     wide = n("b") / sketch.plans.length_scale if "b" in stage.s else 0.3 * mean
     outer, inner = mean + wide / 2, max(mean - wide / 2, 0.1)
     apex = complex(sketch.x + SIDE + outer * math.cos(one), sketch.y(entry))
+    _cones_turn(sketch, stage, apex, mean, (one, two))
     for name, axis, delta in zip(stage.given.wheels, (math.pi, math.pi + one + two), (one, two), strict=True):
         sketch.items += [item.moved(apex) for item in cone(axis, delta, outer, inner, NORMAL)]
         back = apex + cmath.rect(outer * math.cos(delta), axis)
@@ -82,3 +86,18 @@ def _cones(sketch: Sketch, stage: Found, entry: Member) -> float:
     right = math.cos(math.pi + one + 2 * two)
     sketch.x = apex.real + outer * max(right, 0.0) + 1.0
     return apex.real - outer * math.cos(one)
+
+
+def _cones_turn(
+    sketch: Sketch, stage: Found, apex: complex, mean: float, angles: tuple[float, float]
+) -> None:
+    """Dots at the mean radii. Both cones carry theirs in front from the edge on which they roll, or both to it."""
+    edge = math.pi + angles[0]
+    sense = -int(math.copysign(1, sketch.speed[stage.input]))
+    for name, delta, side in zip(stage.given.wheels, angles, (1, -1), strict=True):
+        axis = edge - side * delta
+        centre, radius = apex + cmath.rect(mean * math.cos(delta), axis), mean * math.sin(delta)
+        across = cmath.rect(1, axis + side * math.pi / 2)  # to the edge
+        for rise in (radius, -radius):
+            spot = Circle(centre, 0.5, MARK, MARK.colour)
+            sketch.marks.append(Moving((spot,), of=name, sense=sense, rise=complex(rise), across=across))

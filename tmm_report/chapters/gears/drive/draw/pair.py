@@ -29,8 +29,7 @@ def wheel(sketch: Sketch, one: Member, x: float, side: int) -> float:
             sketch.items.append(line(complex(x - side * RIM, y + up), complex(web, y + up), THICK))
         else:
             sketch.rim(x, y + up)
-    if not ring:
-        sketch.mark(x, y, half, one.name)
+    sketch.mark(x, y, half, one.name)
     sketch.web(web, y - half, y + half)
     sketch.cross(web, y)
     away = 1 if y + half > 0 and not ring else -1

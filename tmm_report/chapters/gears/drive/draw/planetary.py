@@ -15,6 +15,7 @@ ARM = 6.5  # from a row to the arm of the carrier
 HOLLOW = 1.7  # half the bore of a hollow shaft
 STEM = 2.5  # of a ring that stands still
 SLEEVE = 4.0  # of a hollow shaft
+PIN = 1.8  # of the pin of a satellite beyond its row
 
 
 @dataclass
@@ -128,6 +129,7 @@ class _Planetary:
             start = one.row - one.way * RIM
             sketch.items.append(line(complex(start, rim), complex(one.web, rim), THICK))
             sketch.web(one.web, self._inner(one, self.up), rim)
+            sketch.mark(one.row, self.y, abs(rim - self.y), one.member.name, side=self.up)
         else:
             sketch.rim(one.row, rim)
             sketch.web(one.row, rim, rim + self.up * STEM)
@@ -138,12 +140,13 @@ class _Planetary:
         """The pin of the satellites and the arm; a carrier that is held has its pin in the frame."""
         sketch, low, high = self.sketch, min(self.rows.values()), max(self.rows.values())
         away = 1 if one.web > low else -1
-        start = low - 1.8 if away > 0 else high + 1.8
+        start = low - PIN if away > 0 else high + PIN
         sketch.items.append(line(complex(start, self.pin), complex(one.web, self.pin), THICK))
         if one.way:
             sketch.items.append(
                 line(complex(one.web, self._inner(one, self.up)), complex(one.web, self.pin), THICK)
             )
+            sketch.mark(one.web, self.y, abs(self.pin - self.y), one.member.name, PIN, self.up)
         else:
             up = complex(0, 3.5)
             wall = complex(one.web, self.pin)
@@ -159,6 +162,7 @@ class _Planetary:
             sketch.items.append(
                 line(complex(x - 1.5, self.pin + side * 0.9), complex(x + 1.5, self.pin + side * 0.9), NORMAL)
             )
+        sketch.mark(x, self.pin, half, member.name)
         sketch.name(member.name, complex(x, self.pin + self.up * half / 2), complex(-1, 0))
 
     def _draw_second(self, one: _Central) -> None:

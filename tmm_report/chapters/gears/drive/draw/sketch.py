@@ -29,7 +29,7 @@ class Sketch:
     speed: Mapping[str, float]
     items: list[Item] = field(default_factory=list)
     tags: list[Tag] = field(default_factory=list)
-    marks: list[Moving] = field(default_factory=list)  # for the screen: two on every wheel that is seen whole
+    marks: list[Moving] = field(default_factory=list)  # for the screen: one of every member is in sight
     x: float = 0.0
 
     @property
@@ -55,10 +55,11 @@ class Sketch:
     def rim(self, x: float, y: float, reach: float = RIM) -> None:
         self.items.append(line(complex(x - reach, y), complex(x + reach, y), THICK))
 
-    def mark(self, x: float, y: float, half: float, name: str, reach: float = RIM) -> None:
-        for rise in (half, -half):
-            along = line(complex(x - reach, y), complex(x + reach, y), MARK)
-            self.marks.append(Moving((along,), of=name, rise=rise))
+    def mark(self, x: float, y: float, half: float, name: str, reach: float = RIM, side: int = 0) -> None:
+        """Marks of what turns about y; `side`: of what is drawn on one side of its axis alone, ±1."""
+        along = line(complex(x - reach, y), complex(x + reach, y), MARK)
+        for rise in (half, -half, *((1j * half, -1j * half) if side else ())):
+            self.marks.append(Moving((along,), of=name, rise=complex(rise), side=side))
 
     def web(self, x: float, start: float, end: float) -> None:
         self.items.append(line(complex(x, start), complex(x, end), NORMAL))
