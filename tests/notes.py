@@ -21,6 +21,7 @@ from tmm_report.course import Depth, Results
 from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing
 from tmm_report.i18n import Translator
+from tmm_report.living import static as still
 from tmm_report.report.formats import Html, drawing_of
 
 VARIANTS = Path(__file__).parent.parent / "variants"
@@ -44,9 +45,11 @@ def render(
 
 def static(page: str) -> str:
     """A note in HTML as it is where scripts are off: without what moves it on the screen."""
-    body, begins, behind = page.rpartition("<style>\n/* The living page")
-    assert begins and behind.count("<script") == 2, "the living page stands behind the text of a note"
-    return body + behind.rpartition("</script>\n")[2]
+    found = still(page)
+    assert found != page and page.count("<script") == found.count("<script") + 2, (
+        "the living page stands behind the text of a note"
+    )
+    return found
 
 
 def note(name: str, fmt: str, language: str | None = None, depth: Depth | None = "full") -> dict[str, bytes]:

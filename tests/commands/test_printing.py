@@ -9,7 +9,7 @@ from tempfile import TemporaryDirectory
 
 import pytest
 from conftest import solved
-from notes import VARIANTS, program
+from notes import VARIANTS, note, program
 from once import once
 from typer.testing import CliRunner
 from typesetting import set_by_tex
@@ -86,6 +86,16 @@ def test_the_same_note_gives_the_same_bytes_and_every_reference_leads_to_its_obj
     assert table.startswith(b"xref\n")
     for number, (at, kind) in enumerate(re.findall(rb"(\d{10}) \d{5} ([nf]) \n", table)):
         assert kind == b"f" or pdf[int(at) :].startswith(b"%d 0 obj" % number)
+
+
+def test_no_script_is_printed(monkeypatch):
+    """Of the living page: what it does at the time would be in the PDF, and another number of every element."""
+    given = []
+    monkeypatch.setattr(printing, "printed", lambda html: given.append(html) or plain)
+    plain = pdf_of(b"<<>>", b"<</Pages 3 0 R\n/Dests 4 0 R>>", b"<<>>", b"<<>>")
+    made = note(NAME, "html")["note.html"]
+    print_pdf(made)
+    assert b"<script" in made and given and not any(b"<script" in one for one in given)
 
 
 def test_a_page_without_contents_or_of_another_program_is_told():

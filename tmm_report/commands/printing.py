@@ -15,6 +15,7 @@ from html import unescape
 from pathlib import Path
 
 from tmm_report.commands.pdf import run_alone
+from tmm_report.living import static
 
 BROWSERS = (
     "chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "msedge", "microsoft-edge",
@@ -39,9 +40,11 @@ class PrintFailed(Exception):
 def print_pdf(note: bytes) -> bytes:
     """The note as the browser prints it. Raises NoBrowser, PrintFailed, or OSError where there is no place to do it.
 
-    The page loads nothing and runs nothing (its Content-Security-Policy); the browser has a profile of its own, and is
-    stopped with all its children when its time is up.
+    The page loads nothing (its Content-Security-Policy) and, without what is for the screen alone, runs nothing: a
+    script still at work would number the elements of the PDF otherwise each time. The browser has a profile of its
+    own, and is stopped with all its children when its time is up.
     """
+    note = static(note.decode()).encode()
     found: Mapping[str, int] = {}
     for _ in range(TIMES):
         pdf = printed(with_pages(note, found))

@@ -40,6 +40,7 @@ SCRIPTS = (
     "fellows",
     "page",
 )  # as they run
+_BEGINS = "<style>\n/* The living page"  # as its style does
 _SHOWN = re.compile(' data-q="([^"]*)"(?: data-k="[^"]*")?(?: data-t="([^"]*)")?')
 Pictures = Mapping[str, Drawing | Graph]
 
@@ -56,6 +57,12 @@ def added(text: str, results: Results, page: Page, pictures: Pictures) -> str:
         f'<script type="application/json" id="living">{data}</script>\n<script>{script}</script>\n'
     )
     return f"{body}{block}{end}{rest}"
+
+
+def static(page: str) -> str:
+    """The note as it is where scripts are off: without all that stands behind its text for the screen."""
+    body, begins, behind = page.rpartition(_BEGINS)
+    return body + behind.rpartition("</script>\n")[2] if begins else page
 
 
 def known(results: Results, page: Page, pictures: Pictures, shown: Container[str] = ()) -> dict[str, Any]:
@@ -119,4 +126,4 @@ def _read(kind: str) -> str:
     return "".join((folder / name).read_text("utf-8") for name in names)
 
 
-__all__ = ["Cycle", "added", "as_json", "known"]
+__all__ = ["Cycle", "added", "as_json", "known", "static"]
