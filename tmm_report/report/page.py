@@ -138,7 +138,7 @@ class Page:
         """`note`: how much the note says; `profile`: how it looks, by default as the standard has it."""
         self.form, self.tr, self.numbering, self.note = form, tr, numbering, note
         self.profile = profile or shipped(usual(tr.language))
-        self.form.paper = Paper(self.profile.margins, self.profile.text)
+        self.form.paper = Paper(self.profile.margins, self.profile.text, self.form.most)
         self.numbering.scheme = self.profile.numbers
         self.symbols = SymbolList()
         self.cited = Cited(tr.cited)

@@ -8,11 +8,70 @@ from io import BytesIO
 from xml.etree.ElementTree import Element, fromstring
 from zipfile import ZipFile
 
+from tmm_report.report.word.sections import NAMESPACES
+
 W = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
 M = "{http://schemas.openxmlformats.org/officeDocument/2006/math}"
 R = "{http://schemas.openxmlformats.org/officeDocument/2006/relationships}"
 WP = "{http://schemas.openxmlformats.org/drawingml/2006/wordprocessingDrawing}"
 A = "{http://schemas.openxmlformats.org/drawingml/2006/main}"
+
+
+_PREFIX = {space: name for name, space in NAMESPACES.items()}
+ORDER = {  # of what a note has in them (ECMA-376, part 1, annex A)
+    "w:pPr": "w:pStyle w:keepNext w:keepLines w:pageBreakBefore w:framePr w:numPr w:tabs w:suppressAutoHyphens "
+    "w:spacing w:ind w:jc w:outlineLvl w:rPr w:sectPr",
+    "w:rPr": "w:rFonts w:b w:i w:caps w:sz w:szCs w:lang",
+    "w:sectPr": "w:headerReference w:footerReference w:type w:pgSz w:pgMar w:cols w:vAlign w:titlePg",
+    "w:style": "w:name w:basedOn w:next w:qFormat w:pPr w:rPr w:tblPr",
+    "w:styles": "w:docDefaults w:style", "w:docDefaults": "w:rPrDefault w:pPrDefault",
+    "w:numbering": "w:abstractNum w:num", "w:abstractNum": "w:multiLevelType w:lvl", "w:numPr": "w:ilvl w:numId",
+    "w:lvl": "w:start w:numFmt w:pStyle w:suff w:lvlText w:lvlJc",
+    "w:settings": "w:autoHyphenation w:doNotHyphenateCaps w:updateFields w:compat m:mathPr w:themeFontLang "
+    "w:decimalSymbol w:listSeparator",
+    "w:sdt": "w:sdtPr w:sdtContent", "w:docPartObj": "w:docPartGallery w:docPartUnique",
+    "w:tbl": "w:tblPr w:tblGrid w:tr", "w:tr": "w:trPr w:tc", "w:trPr": "w:cantSplit w:tblHeader",
+    "w:tblPr": "w:tblW w:jc w:tblInd w:tblBorders w:tblLayout w:tblCellMar",
+    "w:tblBorders": "w:top w:left w:bottom w:right w:insideH w:insideV",
+    "w:tblCellMar": "w:top w:left w:bottom w:right", "w:tcPr": "w:tcW w:tcBorders w:vAlign",
+    "m:mathPr": "m:mathFont m:brkBin m:defJc", "m:r": "m:rPr m:t", "m:f": "m:num m:den", "m:func": "m:fName m:e",
+    "m:bar": "m:barPr m:e", "m:d": "m:dPr m:e", "m:dPr": "m:begChr m:endChr", "m:rad": "m:radPr m:deg m:e",
+    "m:limLow": "m:e m:lim", "m:nary": "m:naryPr m:sub m:sup m:e", "m:naryPr": "m:chr m:limLoc",
+    "m:sSub": "m:e m:sub", "m:sSup": "m:e m:sup", "m:sSubSup": "m:e m:sub m:sup",
+    "wp:inline": "wp:extent wp:docPr wp:cNvGraphicFramePr a:graphic",
+    "wp:anchor": "wp:simplePos wp:positionH wp:positionV wp:extent wp:effectExtent wp:wrapNone wp:docPr "
+    "wp:cNvGraphicFramePr a:graphic",
+    "pic:pic": "pic:nvPicPr pic:blipFill pic:spPr", "pic:nvPicPr": "pic:cNvPr pic:cNvPicPr",
+    "pic:blipFill": "a:blip a:stretch", "pic:spPr": "a:xfrm a:prstGeom", "a:xfrm": "a:off a:ext",
+}  # fmt: skip
+FREE = frozenset((  # behind their properties, or before those of the last section
+    "w:body", "w:sdtContent", "w:tc", "w:p", "w:r", "w:hyperlink", "w:hdr", "w:ftr",
+    "m:oMath", "m:e", "m:num", "m:den", "m:sub", "m:sup", "m:deg", "m:lim", "m:fName",
+))  # fmt: skip
+
+
+def disordered(root: Element) -> list[tuple[str, list[str]]]:
+    """Elements whose children stand in no order that Word would open, or are none that are known of it."""
+    found = []
+    for node in root.iter():
+        name, inner = _named(node), list(map(_named, node))
+        if len(set(inner)) < 2:
+            continue
+        if name in FREE:
+            last = name == "w:body"
+            held = inner.count(f"{name}Pr") == (inner[0] == f"{name}Pr") and inner.count("w:sectPr") == last
+            good = held and (inner[-1] == "w:sectPr") == last
+        else:
+            order = ORDER.get(name, "").split()
+            good = set(inner) <= set(order) and inner == sorted(inner, key=order.index)
+        if not good:
+            found.append((name, inner))
+    return found
+
+
+def _named(node: Element) -> str:
+    space, _, name = node.tag[1:].rpartition("}")
+    return f"{_PREFIX.get(space, space)}:{name}"
 
 
 def parts_of(file: bytes) -> dict[str, bytes]:

@@ -59,6 +59,7 @@ class Docx(Ready):
     """`files`: pictures, by their places in the file; `counts`: of headings, as a word processor counts them."""
 
     name = "docx"
+    most = 22 * 25.4  # Word takes no larger paper: MS-OI29500, 17.6.13
     files: dict[str, bytes] = field(default_factory=dict)
     images: list[Image] = field(default_factory=list)
     counts: list[int] = field(default_factory=list)

@@ -56,6 +56,9 @@ _DOCX = (
     (r"(\.</w:p>\s*<!--where-->[^\n]*?>)WHERE ", r"\1HERE "),
     (r"(<!--/table-->\s*<!--where-->[^\n]*?>)WHERE ", r"\1HERE "),
     (r"(:</w:p>\s*<!--where-->[^\n]*?>)WHERE ", r"\1"),
+    # word processors, too, break beside a formula: what clings to it is a part of it
+    (r"(?<=[\s>])([(«]+)<m:oMath>", r"<m:oMath><m:r><m:rPr><m:nor/></m:rPr><m:t>\1</m:t></m:r>"),
+    (r"</m:oMath>((?:<!--[\d.]+-->)?)([.,;:)»]+)", r"<m:r><m:rPr><m:nor/></m:rPr><m:t>\2</m:t></m:r></m:oMath>\1"),
 )  # fmt: skip
 _RULES = {"html": _HTML, "tex": _TEX, "typst": _TYPST, "docx": _DOCX}
 

@@ -3,6 +3,7 @@ page or on a sheet of their own."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from dataclasses import field
 from typing import Any, Generic, NamedTuple, TypeVar
@@ -76,6 +77,7 @@ class Waiting(Generic[T]):
     """What a format keeps: `waiting`: for the next heading, so that they share the paper, all if it `gathers`, else
     what stands sideways and what is behind it; `drawings`: for their appendix, what no page of the text holds."""
 
+    most = math.inf  # mm: the longest side of a sheet of paper
     paper: Paper = USUAL
     waiting: list[Kept[T]] = field(default_factory=list)
     gathers: bool = False

@@ -8,6 +8,7 @@ comes from the margins of the note's profile; the size of a picture never does.
 
 from __future__ import annotations
 
+import math
 from functools import cached_property
 from typing import NamedTuple
 
@@ -49,10 +50,11 @@ class Sheet(NamedTuple):
 
 @dataclass(frozen=True)
 class Paper:
-    """The paper of a note and the letters on it."""
+    """The paper of a note and the letters on it; `most`: the longest side that its format takes, mm."""
 
     margins: Margins
     text: Text
+    most: float = math.inf
 
     @property
     def width(self) -> float:
@@ -95,7 +97,7 @@ class Paper:
         return tuple(self._standing(*size) for size in SIZES)
 
     def _standing(self, name: str, wide: float, tall: float) -> Sheet:
-        one = self.margins
+        one, wide, tall = self.margins, min(wide, self.most), min(tall, self.most)
         field = (wide - one.left - one.right, tall - one.top - one.bottom)
         return Sheet(name, wide, tall, field, (one.left, one.top))
 
