@@ -41,7 +41,7 @@ FAULTS = (
           "else min(most, _decimals(cell.full))", "else _decimals(cell)", "compressor",
           ("tests/page/tables/test_alike.py",)),
     Fault("sources are counted from the second", REPORT + "sources.py",
-          "self._order.index(int(one[1])) + 1", "self._order.index(int(one[1])) + 2", "rotor", FRONT),
+          "self._order.index(name) + 1", "self._order.index(name) + 2", "rotor", FRONT),
     Fault("what failed ends the conclusions", REPORT + "__init__.py",
           "not isinstance(line, Failed)", "isinstance(line, Failed)", "rotor", FRONT),
     Fault("the point p of wheel i is the number pi", "tmm_report/quantity/symbols.py",

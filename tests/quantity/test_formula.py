@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from tmm_report.i18n import Translator
 from tmm_report.quantity import formula as f
-from tmm_report.quantity.formula import PI, Formula, Inline, Term, Var, VectorEquation, agrees, seg
-from tmm_report.quantity.symbols import SHORT_WORDS, Symbol, math_symbol
+from tmm_report.quantity.formula import PI, Formula, Inline, Term, Var, VectorEquation, agrees
+from tmm_report.quantity.symbols import SHORT_WORDS, Symbol, math_symbol, segment
 from tmm_report.quantity.text import round_significant
 
 RU, EN = Translator("ru"), Translator("en")
@@ -100,7 +100,7 @@ def test_the_printed_chain():
     )
     assert formula.latex(EN).endswith(r"\frac{2\cdot 3.1416}{0.05} =125.66\;\text{rad}/\text{s}")
     assert "<mn>125,66</mn>" in formula.mathml(RU)
-    plan = Formula("v_B", Var("mu_v", 0.075) * seg("pb", 59.25), "m/s")
+    plan = Formula("v_B", Var("mu_v", 0.075) * Var(segment("pb"), 59.25, "mm"), "m/s")
     assert plan.latex(RU).startswith(r"v_{B}=\mu _{v}\cdot \overline{pb} =0{,}075\cdot 59{,}25 =4{,}4438\;")
 
 
@@ -215,7 +215,7 @@ def test_names_from_users_are_escaped(name):
     printables = [
         Symbol("v", sub=name, sup=name, bar=True),
         Symbol(name),
-        seg(name, 1.0).sign,
+        segment(name),
         VectorEquation([[term], []]),
         Formula(Symbol(name), Var(Symbol("v", name), 1.0), name),
     ]

@@ -1,4 +1,4 @@
-"""Plain data -> YAML that people read, with holes left for what is written in later: `loads(emitted(data)) == data`.
+"""Plain data -> YAML that people read, with holes left for what is written in later; read again it is the same data.
 
 Foreign text is never structure: what is not plainly a word or a number with a unit goes into double quotes, with
 everything in it that a reader of YAML might take for its own escaped.
@@ -23,11 +23,6 @@ Piece = str | Path
 _PLAIN = re.compile(r"-?[^\W_](?:[\w .^*/·²³⁴°%+-]*[\w.²³⁴°%])?")
 _NUMBER = re.compile(r"[-+]?\.?[0-9][0-9.]*([eE][-+]?[0-9]+)?")
 _WORDS = frozenset({"null", "Null", "NULL", "true", "True", "TRUE", "false", "False", "FALSE"})
-
-
-def emitted(data: Any) -> str:
-    """The whole text of data without holes."""
-    return "".join(str(piece) for piece in pieces(data))
 
 
 def pieces(data: Any, raw: Mapping[Path, str] | None = None, holes: Collection[Path] = ()) -> list[Piece]:

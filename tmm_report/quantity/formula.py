@@ -20,7 +20,7 @@ import numpy as np
 from tmm_report.i18n import NP_, Translator
 from tmm_report.problems import Message
 from tmm_report.quantity.ref import Ref, read_alike
-from tmm_report.quantity.symbols import Notation, Symbol, math_symbol, notation, segment, with_power
+from tmm_report.quantity.symbols import Notation, Symbol, math_symbol, notation, with_power
 from tmm_report.quantity.text import ZERO, round_significant
 from tmm_report.records import dataclass
 
@@ -192,11 +192,6 @@ class Var(Expr):
         if page.numbers:
             return page.number(self.number, self.digits or page.digits, self.unit == "deg", ref=self.ref)
         return Piece(page.notation.symbol(self.sign), POWER if self.sign.raised else ATOM)
-
-
-def seg(ends: str, length: Value) -> Var:
-    r"""The length of a drawn segment, mm, under a bar: seg("pb", 59.25) is \overline{pb}."""
-    return Var(segment(ends), length, "mm")
 
 
 PI = Var("pi", math.pi, ref=Ref("pi"))

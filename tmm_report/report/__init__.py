@@ -129,8 +129,8 @@ def _written(
     body = [chapter(part.template, view=part.view) for part in parts]
     left_out, concluded = list(map(page.message, undone)), _conclusions(parts)
     body += [chapter("conclusions", lines=[*left_out, *concluded])]
-    if page.cited.names:
-        body.append(chapter("references", names=page.cited.order("".join(body))))
+    if sources := page.cited.order("".join(body)):
+        body.append(chapter("references", names=sources))
     drawings = page.numbering.close(page.tr.letters)
     if page.numbering.appendices:
         body.append(chapter("appendices", drawings=drawings))

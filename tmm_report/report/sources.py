@@ -7,6 +7,7 @@ standards with their full designation.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Sequence
 from secrets import token_hex
 
 from markupsafe import Markup
@@ -66,38 +67,31 @@ SOURCES = {
 
 class Cited:
     """The sources of a note, numbered in the order in which its text cites them: that order is known when all of it
-    stands, since what is put off into an appendix is rendered where it was called for. Till then marks stand for the
-    numbers. `between`: sources that are cited together, which are put in order; `begin`, `next`, `end`: marks round and
-    between these."""
+    stands, since what is put off into an appendix is rendered where it was called for. Till then a mark stands for
+    those that are cited together. `between`: what separates these."""
 
     def __init__(self, between: str):
-        self.names: list[str] = []
-        self._between, self._secret = between, f"cited{token_hex(16)}"
-        self.begin, self.next, self.end = (Markup(f"{self._secret}{kind}") for kind in "bce")
+        self._between, self._secret = between, f"cited{token_hex(16)}x"
+        self._together: list[tuple[Sequence[str], Callable[[int], Markup]]] = []
+        self._order: list[str] = []
 
-    def mark(self, name: str) -> Markup:
-        """Stands for the number of a source."""
-        if name not in self.names:
-            self.names.append(name)
-        return Markup(f"{self._secret}n{self.names.index(name)};")
+    def mark(self, names: Sequence[str], link: Callable[[int], Markup]) -> Markup:
+        """Stands for the numbers of sources; `link`: how one is printed."""
+        self._together.append((names, link))
+        return Markup(f"{self._secret}{len(self._together) - 1}x")
 
     def order(self, body: str) -> list[str]:
         """The names as the body cites them, then those of the appendices alone; they have numbers from now on."""
-        first = dict.fromkeys(self._marks(body))
-        self._order = [*first, *(k for k in range(len(self.names)) if k not in first)]
-        return [self.names[k] for k in self._order]
-
-    def _marks(self, text: str) -> list[int]:
-        return [int(k) for k in re.findall(rf"{self._secret}n(\d+);", text)]
+        first = map(int, re.findall(rf"{self._secret}(\d+)x", body))
+        every = (self._together[k] for k in [*first, *range(len(self._together))])
+        self._order = list(dict.fromkeys(name for names, _ in every for name in names))
+        return self._order
 
     def resolved(self, text: str) -> str:
         """The text with numbers in place of the marks."""
-        if not self.names:
-            return text
 
-        def ordered(group: re.Match[str]) -> str:
-            links = group[1].split(self.next)
-            return self._between.join(sorted(links, key=lambda one: self._order.index(self._marks(one)[0])))
+        def numbers(mark: re.Match[str]) -> str:
+            names, link = self._together[int(mark[1])]
+            return self._between.join(map(link, sorted(self._order.index(name) + 1 for name in names)))
 
-        text = re.sub(f"{self.begin}(.*?){self.end}", ordered, text, flags=re.S)
-        return re.sub(rf"{self._secret}n(\d+);", lambda one: str(self._order.index(int(one[1])) + 1), text)
+        return re.sub(rf"{self._secret}(\d+)x", numbers, text)

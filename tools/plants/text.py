@@ -23,10 +23,10 @@ FAULTS = (
           'for letter in "KTNLQUVW" if letter not in taken', 'for letter in "KTNLQUVW"', tests=ALIKE),
     # --- good text ---
     Fault("sources numbered as they were rendered", "tmm_report/report/sources.py",
-          "self._order = [*first, *(k for k in range(len(self.names)) if k not in first)]",
-          "self._order = list(range(len(self.names)))", tests=TEXTS),
+          "for k in [*first, *range(len(self._together))]", "for k in range(len(self._together))", tests=TEXTS),
     Fault("sources cited together in any order", "tmm_report/report/sources.py",
-          "sorted(links, key=lambda one: self._order.index(self._marks(one)[0]))", "links", tests=TEXTS),
+          "sorted(self._order.index(name) + 1 for name in names)", "[self._order.index(name) + 1 for name in names]",
+          tests=TEXTS),
     Fault("lines that end within a unit", "tmm_report/report/paper/punctuation.py",
           "text = _SLASH.sub(", "text = text or _SLASH.sub(", tests=TEXTS),
     Fault("lines that begin with the stop behind a formula", "tmm_report/report/paper/punctuation.py",

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -18,45 +18,23 @@ from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.units import is_unit
 from tmm_report.records import dataclass
 
-POSITION_HEADS = (
-    "position",
-    "положение",
-    "положення",
-    "становище",
-    "орын",
-    "орналасу",
-    "k",
-    "n",
-    "№",
-    "pos",
-    "пол",
-)
+
+def _heads(words: str) -> frozenset[str]:
+    return frozenset(words.split(", "))
+
+
+# heads of columns as students write them, in English, Russian, Ukrainian, Kazakh
+POSITION_HEADS = _heads("position, pos, k, n, №, положение, пол, положення, становище, орын, орналасу")
 POSITION_WORDS = ("position", "положени", "положенн", "становищ")  # within a head: № положения
 POSITION = re.compile(r"(?:position|pos|положение|пол|положення|становище|орын|№)?[\s.:=№]*0*([0-9]{1,3})")
-KEY_HEADS = ("key", "quantity", "ключ", "величина", "обозначение", "позначення", "кілт", "шама")
-VALUE_HEADS = ("value", "значение", "число", "значення", "мәні", "мән")
-UNIT_HEADS = (
-    "unit", "units", "единица", "единицы", "единица измерения", "единицы измерения", "ед", "ед. изм", "ед.изм",
-    "размерность", "одиниця", "одиниці", "бірлік", "бірлігі",
-)  # fmt: skip
-MEANING_HEADS = (
-    "meaning",
-    "name",
-    "смысл",
-    "название",
-    "наименование",
-    "что это",
-    "назва",
-    "що це",
-    "бұл не",
-    "атауы",
+KEY_HEADS = _heads("key, quantity, ключ, величина, обозначение, позначення, кілт, шама")
+VALUE_HEADS = _heads("value, значение, число, значення, мәні, мән")
+UNIT_HEADS = _heads(
+    "unit, units, единица, единицы, единица измерения, единицы измерения, ед, ед. изм, ед.изм, размерность, "
+    "одиниця, одиниці, бірлік, бірлігі"
 )
-ABOUT = (
-    "student",
-    "variant",
-    "group",
-    "title",
-)  # what a file says of its writer: who he is, the teacher's list says
+MEANING_HEADS = _heads("meaning, name, смысл, название, наименование, что это, назва, що це, бұл не, атауы")
+ABOUT = ("student", "variant", "group", "title")  # of the writer: who he is, the teacher's list says
 FEW_POSITIONS = 2  # columns named by numbers: as many of them are positions
 
 
@@ -134,7 +112,7 @@ def _lying(names: Sequence[str]) -> dict[int, str]:
         if index and (position := POSITION.fullmatch(name.rstrip(".,")))
     }
     others = (name for index, name in enumerate(names) if index and index not in found)
-    known = all(name in ("", *UNIT_HEADS, *MEANING_HEADS) for name in others)
+    known = all(not name or name in UNIT_HEADS | MEANING_HEADS for name in others)
     return found if known and len(found) >= FEW_POSITIONS else {}
 
 
@@ -172,7 +150,7 @@ def _entry(sheet: sheets.Sheet, quantity: str, unit: str, row: str | None, cell:
     )
 
 
-def _first(names: Sequence[str], known: Sequence[str]) -> int | None:
+def _first(names: Sequence[str], known: Container[str]) -> int | None:
     return next((index for index, name in enumerate(names) if name in known), None)
 
 

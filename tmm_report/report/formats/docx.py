@@ -179,10 +179,6 @@ class Docx(Ready):
         """Size of letters; in points."""
         return round(2 * size)
 
-    @property
-    def a4(self) -> tuple[int, int]:
-        return twips(A4[0]), twips(A4[1])
-
 
 def _of_own(figures: Markup, size: tuple[float, float], margins: Iterable[float]) -> Markup:
     """Figures on a page of their own; its width and height, and its margins above, right, below and left, mm."""

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from functools import reduce
+from operator import add, mul
+
 from tmm_report.chapters.gears.drive.power.ways import WAYS as POWER
 from tmm_report.chapters.gears.ordinary.ways import WAYS as ORDINARY
 from tmm_report.chapters.gears.planetary.ways import WAYS as PLANETARY
@@ -27,13 +31,17 @@ MESH = N_(
 )
 
 
+def _over_stages(q: Known, key: str) -> Expr:
+    """The product over the stages."""
+    table = q.book.tables["drive_stages"]
+    factors: list[Expr] = [table.var(key, k) for k in range(len(table))]
+    return reduce(mul, factors)
+
+
 def _eta(q: Known) -> Expr:
     """The product of the stages' where they stand in series, else the powers of the members."""
-    table = q.book.tables["drive_stages"]
     if not q.found.differential:
-        total: Expr = table.var("eta", 0)
-        for k in range(1, len(table)):
-            total = total * table.var("eta", k)
+        total = _over_stages(q, "eta")
         if abs(float(total.value) - q.found.efficiency) <= 1e-12:
             return total
     loads = q.book.tables["drive_loads"]
@@ -45,11 +53,8 @@ def _eta(q: Known) -> Expr:
     return -_sum(useful) / _sum(supplied)
 
 
-def _sum(terms: list[Expr] | list) -> Expr:  # type: ignore[type-arg]
-    total: Expr = terms[0]
-    for one in terms[1:]:
-        total = total + one
-    return total
+def _sum(terms: Sequence[Expr]) -> Expr:
+    return reduce(add, terms)
 
 
 def _losses(q: Known) -> Expr:
@@ -86,7 +91,7 @@ WAYS = (
     Way("drive_eta", ETA, of="stage*_eta"),
     Way("drive_losses", LOSSES, by=_losses),
     Way("drive_u", WILLIS, of="drive_u_teeth stage*_ratio"),
-    Way("drive_u_teeth", WILLIS, of="drive_u"),
+    Way("drive_u_teeth", by=lambda q: _over_stages(q, "u")),
     Way(
         "drive_u_required",
         N_("Stated of the drive, or by the stated speeds of its ends."),

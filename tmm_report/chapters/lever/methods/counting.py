@@ -16,21 +16,10 @@ from tmm_report.mechanics.lever.extremes import refined
 from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.mechanics.rivals import counts
 from tmm_report.mechanics.rivals.counts import Counted, Wanted, counted
-from tmm_report.problems import N_
 from tmm_report.records import dataclass
 
 Array = Any
 CUTS = 2  # how often panels are cut at most
-MEANINGS = {
-    "velocity": N_("greatest velocities of the points"),
-    "acceleration": N_("greatest accelerations of the points"),
-    "moment": N_("least and greatest balancing moment"),
-    "work": N_("work of the loads over the cycle"),
-    "inertia_mean": N_("mean reduced moment of inertia"),
-    "inertia": N_("least and greatest reduced moment of inertia"),
-    "unevenness": N_("coefficient of speed fluctuation with a flywheel by Mertsalov"),
-}
-"""Key of an error -> what it is of."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -32,6 +32,8 @@ if TYPE_CHECKING:
     )
 
 
+_PRESSURE = "of the rod, greatest permitted; without `rod` it is reached"
+_SPEED = "mean velocity of the slider on the working stroke: it gives the speed of the crank"
 _TRANSMISSION = (
     "least permitted angle between the rod and the normal of the slide line, in place of `pressure_angle`"
 )
@@ -124,16 +126,9 @@ class SlottedLink(Permits):
         Annotated[float, quantity("number", 1e-3, 1000.0, "0.001 … 1000")] | None,
         Field(description="rod by slotted link", examples=[0.25]),
     ] = None
-    pressure_angle: Annotated[
-        PressureAngle | None, Field(description="of the rod, greatest permitted; without `rod` it is reached")
-    ] = None
+    pressure_angle: Annotated[PressureAngle | None, Field(description=_PRESSURE)] = None
     transmission: Annotated[TransmissionAngle | None, Field(description=_TRANSMISSION)] = None
-    working_speed: Annotated[
-        PositiveVelocity | None,
-        Field(
-            description="mean velocity of the slider on the working stroke: it gives the speed of the crank"
-        ),
-    ] = None
+    working_speed: Annotated[PositiveVelocity | None, Field(description=_SPEED)] = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,16 +144,9 @@ class TurningGuide(Permits):
         Annotated[float, quantity("number", 1.000001, 1000.0, "1 … 1000")] | None,
         Field(description="rod by arm", examples=[4]),
     ] = None
-    pressure_angle: Annotated[
-        PressureAngle | None, Field(description="of the rod, greatest permitted; without `rod` it is reached")
-    ] = None
+    pressure_angle: Annotated[PressureAngle | None, Field(description=_PRESSURE)] = None
     transmission: Annotated[TransmissionAngle | None, Field(description=_TRANSMISSION)] = None
-    working_speed: Annotated[
-        PositiveVelocity | None,
-        Field(
-            description="mean velocity of the slider on the working stroke: it gives the speed of the crank"
-        ),
-    ] = None
+    working_speed: Annotated[PositiveVelocity | None, Field(description=_SPEED)] = None
 
 
 @dataclass(frozen=True, eq=False)

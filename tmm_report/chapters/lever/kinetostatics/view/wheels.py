@@ -58,10 +58,6 @@ class WheelsView(BookView):
     def said(self, wheel: Coupled) -> list[dict[str, Any]]:
         return self.page.where(*self.formulas(wheel))
 
-    def at_axis(self, wheel: Coupled) -> bool:
-        """Whether the force in the teeth acts along the common tangent of the circles."""
-        return wheel.mesh.pressure == 0
-
     def forces(self, caption: Any) -> Table:
         """Sizes of the forces and their moments about the axes."""
         keys: list[str] = []

@@ -29,7 +29,6 @@ FromRest = Annotated[float, quantity("speed", 0.0)]
 Curve = (Field(min_length=2, max_length=1000),)
 SpeedMoments = Annotated[list[tuple[FromRest, MomentValue]], *Curve]
 TimeMoments = Annotated[list[tuple[Time, MomentValue]], *Curve]
-PLATE = "power or moment, speed"
 
 
 def _complete(model: Any, *sets: tuple[str, ...]) -> tuple[str, ...]:

@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 
-VIEWS = (".real", ".imag")
 REAL = {".real", ".imag", "np.absolute", "np.maximum", "np.mod", "np.searchsorted"}
 
 
