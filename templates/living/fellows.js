@@ -39,40 +39,74 @@ function fellowsLight() {
 
 // ---- how a number comes about
 
-// The formula that defines a quantity: its result is the last number of the formula.
-function formulaOf(key, row) {
-  const own = (formulas ??= formulasOf()).get(key) ?? [];
-  return own.find((f) => result(f).k === row) ?? own[0];
-}
+// A formula as it is told: `marks`, the numbers in it, the last of which it defines; the `head` of its section; `node`,
+// where it stands on the page, which one that the page leaves out has not; `copy`, what is shown of it.
+const result = (formula) => formula.marks.at(-1);
 
-let formulas = null; // key -> the formulas that define it
+let formulas = null; // all of them, in the order of the note
+let defining = null; // key -> those that define it
 function formulasOf() {
-  const found = new Map();
-  for (const formula of document.querySelectorAll("main .formula")) {
-    const key = formula.querySelector("[data-q]") && result(formula).q;
-    if (key) found.set(key, [...(found.get(key) ?? []), formula]);
+  if (formulas) return;
+  formulas = [];
+  let head = "";
+  for (const one of document.querySelectorAll("main :is(h1, h2, h3, h4, .formula, p:has(> math, > nobr))")) {
+    if (one.matches("h1, h2, h3, h4")) head = one.textContent;
+    else if (one.matches(".formula")) add(one, [one], () => one.querySelector(".math").cloneNode(true), one.querySelector(".number")?.textContent);
+    else for (const pieces of inText(one)) add(pieces[0], pieces, () => inLine(pieces.flatMap((piece) => [piece.cloneNode(true), element("wbr")])));
   }
-  return found;
+  // those left out, each behind the one that was printed last before it
+  const same = (a, b) => a.q === b.q && a.k === b.k && (a.t ?? "") === (b.t ?? "");
+  for (const [said, under, of, before] of (texts?.left ?? []).toReversed()) {
+    const [behind, ...marks] = [before, ...of].map((ref) => ref && { q: ref[0], k: ref[1] === null ? undefined : String(ref[1]), t: ref[2] });
+    let at = behind ? formulas.findLastIndex((f) => f.node && f.marks.length && same(result(f), behind)) + 1 : 0;
+    while (at && formulas[at] && !formulas[at].marks.length) at++; // equations, of which what is read off stands behind
+    const section = texts.texts[under];
+    const own = formulas.find((f) => f.head.endsWith(section))?.head ?? section;
+    formulas.splice(at || formulas.length, 0, { head: own, marks, copy: () => inLine(signed(texts.texts[said])) });
+  }
+  defining = Map.groupBy(formulas.filter((f) => f.marks.length), (f) => result(f).q);
+  function add(node, pieces, copy, number = "") {
+    const marks = pieces.flatMap((piece) => [...piece.querySelectorAll("[data-q]")].map((x) => ({ ...x.dataset, said: x.textContent })));
+    formulas.push({ node, head, number, marks, copy });
+  }
 }
 
-const result = (formula) => [...formula.querySelectorAll("[data-q]")].at(-1).dataset;
+const inLine = (pieces) => element("div", { class: "math" }, ...pieces);
+
+// Formulas in running text: rows of pieces between which a line may end, with more than a letter and its number.
+function* inText(paragraph) {
+  let row = [];
+  const whole = () => (row.length > 1 && row.at(-1).querySelector("[data-q]") ? [row] : []);
+  for (const one of [...paragraph.childNodes, null]) {
+    const math = one?.localName === "math" ? one : one?.localName === "nobr" && one.querySelector("math");
+    if (math && one.previousSibling?.localName === "wbr") row.push(math);
+    else if (one?.localName !== "wbr") yield* whole(), (row = math ? [math] : []);
+  }
+}
+
+// The formula that defines a quantity: its result is the last number of the formula. That of its very table goes first.
+function formulaOf(key, row, table) {
+  formulasOf();
+  const own = defining.get(key) ?? [];
+  const here = own.filter((f) => result(f).k === row);
+  return here.find((f) => result(f).t === table) ?? here[0] ?? own[0];
+}
 
 // The formulas that define a quantity: its own, that of the vector or of both its components, that of the opposite reaction.
-function definedBy(key, row) {
+function definedBy(key, row, table) {
   const [, on, by] = key.match(/^R_(.+),(.+)$/) ?? key.match(/^R_(.)(.)$/) ?? [];
   for (const name of [key, key.replace(/_[xy]$/, ""), on && `R_${by}${key.includes(",") ? "," : ""}${on}`]) {
-    const one = name && formulaOf(name, row);
+    const one = name && formulaOf(name, row, table);
     if (one) return [one];
   }
-  return ["_x", "_y"].map((c) => formulaOf(key + c, row)).filter(Boolean);
+  return ["_x", "_y"].map((c) => formulaOf(key + c, row, table)).filter(Boolean);
 }
 
 // What is read off a plan stands upon the equations in front of it, and upon what was worked out for that plan before.
 function readOff(formula) {
-  if (!formula.querySelector('[data-q^="mu_"]')) return [];
-  const every = [...document.querySelectorAll("main .formula")];
-  const before = every.slice(0, every.indexOf(formula)).filter((f) => headOf(f) === headOf(formula));
-  const drawn = (f) => !f.querySelector("[data-q]");
+  if (!formula.marks.some(({ q }) => q.startsWith("mu_"))) return [];
+  const before = formulas.slice(0, formulas.indexOf(formula)).filter((f) => f.head === formula.head);
+  const drawn = (f) => !f.marks.length;
   const last = before.findLastIndex(drawn);
   const first = before.findLastIndex((f, k) => k < last && !drawn(f));
   const { t } = result(formula);
@@ -80,34 +114,26 @@ function readOff(formula) {
 }
 
 // The formulas and those of what stands in them, in the order of the note.
-function derivation(key, row) {
+function derivation(key, row, table) {
   const found = new Set();
-  const waiting = definedBy(key, row);
+  const waiting = definedBy(key, row, table);
   while (waiting.length) {
     const formula = waiting.shift();
     if (found.has(formula)) continue;
     found.add(formula);
-    for (const { dataset } of formula.querySelectorAll("[data-q]")) if (dataset.q !== key) waiting.push(...definedBy(dataset.q, dataset.k));
+    for (const { q, k, t } of formula.marks) if (q !== key) waiting.push(...definedBy(q, k, t));
     waiting.push(...readOff(formula));
   }
-  return [...found].sort((a, b) => (a.compareDocumentPosition(b) & 4 ? -1 : 1));
+  return formulas.filter((f) => found.has(f));
 }
 
 // The numbers with which formulas begin: those that no formula defines, each once.
-function beginnings(formulas) {
+function beginnings(leading) {
   const found = new Map();
-  for (const formula of formulas)
-    for (const one of formula.querySelectorAll("[data-q]")) {
-      const name = `${one.dataset.q} ${one.textContent}`;
-      if (one.dataset !== result(formula) && !definedBy(one.dataset.q, one.dataset.k).length) found.set(name, one);
-    }
+  for (const formula of leading)
+    for (const one of formula.marks)
+      if (one.said && one !== result(formula) && !definedBy(one.q, one.k, one.t).length) found.set(`${one.q} ${one.said}`, one);
   return [...found.values()];
-}
-
-// The last heading before a formula.
-function headOf(formula) {
-  const before = [...document.querySelectorAll("main :is(h1, h2, h3, h4)")].filter((h) => h.compareDocumentPosition(formula) & 4);
-  return before.at(-1)?.textContent ?? "";
 }
 
 let texts = null; // unpacked when the first is asked for; a browser that cannot has the formulas alone
@@ -117,7 +143,7 @@ async function tellings() {
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
     return JSON.parse(await new Response(stream).text());
   } catch {
-    return { texts: [], ways: {}, meanings: {}, worked: {}, starts: {} };
+    return { texts: [], left: [], ways: {}, meanings: {}, worked: {}, starts: {} };
   }
 }
 
@@ -149,8 +175,8 @@ function starts(name, k) {
 const listed = (pairs) => element("ul", {}, ...pairs.map(([sign, number]) => element("li", {}, ...signed(sign), number && ": ", element("b", {}, number))));
 
 async function explain(one) {
-  texts ??= await tellings();
-  const { q, k } = one.dataset;
+  if (!texts) (texts = await tellings()), (formulas = null);
+  const { q, k, t } = one.dataset;
   const box = element("dialog", { class: "told" });
   const close = () => box.close();
   box.append(element("button", { type: "button", class: "close", "aria-label": words.close, click: close }, "×"));
@@ -164,19 +190,20 @@ async function explain(one) {
   if (worked.length) box.append(element("p", { class: "worked" }, ...signed(worked.map((n) => texts.texts[n]).join("\n"))));
   const from = starts(name, k);
   if (from.length) box.append(element("p", { class: "section" }, words.starts), listed(from));
-  const leading = derivation(q, k);
-  if (leading.length && k !== undefined && definedBy(q, k).every((f) => result(f).k !== k)) box.append(element("p", {}, words.likewise));
+  const leading = derivation(q, k, t);
+  if (leading.length && k !== undefined && definedBy(q, k, t).every((f) => result(f).k !== k)) box.append(element("p", {}, words.likewise));
   let head = "";
-  for (const formula of leading) {
-    if (headOf(formula) !== head) box.append(element("p", { class: "section" }, (head = headOf(formula))));
-    const copy = formula.querySelector(".math").cloneNode(true);
-    const number = formula.querySelector(".number")?.textContent ?? "";
-    const back = element("a", { href: formula.id ? `#${formula.id}` : "#", click: close, title: words.formula }, number || "→");
-    if (!formula.id) back.addEventListener("click", (event) => (event.preventDefault(), formula.scrollIntoView({ block: "center" })));
-    box.append(element("div", { class: "formula" }, copy, back));
+  for (const { node, head: own, number, copy } of leading) {
+    if (own !== head) box.append(element("p", { class: "section" }, (head = own)));
+    const line = element("div", { class: "formula" }, copy());
+    box.append(line);
+    if (!node) continue;
+    const back = element("a", { href: node.id ? `#${node.id}` : "#", click: close, title: words.formula }, number || "→");
+    if (!node.id) back.addEventListener("click", (event) => (event.preventDefault(), node.scrollIntoView({ block: "center" })));
+    line.append(back);
   }
   const begins = beginnings(leading);
-  const meant = (b) => [told("meanings", b.dataset) || b.dataset.q, b.textContent];
+  const meant = (b) => [told("meanings", b) || b.q, b.said];
   if (begins.length) box.append(element("p", { class: "section" }, words.begins), listed(begins.map(meant)));
   box.append(element("p", { class: "where" }, `results.json: ${name.includes(".") ? "tables" : "values"}.${name}`));
   box.addEventListener("click", (event) => event.target === box && close());

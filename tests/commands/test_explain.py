@@ -16,6 +16,7 @@ from told import Told
 
 from tmm_report.commands.explain import target as explain_target
 from tmm_report.commands.explain.derivation import Walk, derive
+from tmm_report.commands.explain.listen import listen
 from tmm_report.commands.explain.run import run, starts, written_out
 from tmm_report.commands.explain.target import find
 from tmm_report.commands.explain.text import lines
@@ -25,7 +26,6 @@ from tmm_report.i18n import Translator
 from tmm_report.note import parts
 from tmm_report.problems import ProblemError
 from tmm_report.quantity.formula import Formula
-from tmm_report.report.heard import listen
 from tmm_report.report.plain import text
 from tmm_report.results import tables, values
 

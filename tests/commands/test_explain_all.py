@@ -17,6 +17,7 @@ from exhaustive import many
 from told import Told
 
 from tmm_report import course, loading
+from tmm_report.commands.explain.listen import listen
 from tmm_report.commands.explain.run import run, starts, written_out
 from tmm_report.commands.explain.stated import stated, written
 from tmm_report.commands.explain.target import Target, find, is_text
@@ -30,7 +31,6 @@ from tmm_report.quantity.model import Quantity
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.ways import GIVEN, STATED, Way, fits
 from tmm_report.quantity.written import Equation, Unknown, variables
-from tmm_report.report.heard import listen
 from tmm_report.results import tables, values
 
 FILES = {file.stem: file for file in ALL_FILES}

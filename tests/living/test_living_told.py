@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -12,11 +13,15 @@ from test_living_data import data, page
 from test_living_page import opened, run
 
 from tmm_report.commands.explain.derivation import Derivation
+from tmm_report.commands.explain.listen import listen
 from tmm_report.commands.explain.target import Target
 from tmm_report.commands.explain.text import lines
 from tmm_report.commands.explain.way import Ways
 from tmm_report.i18n import Translator
+from tmm_report.note import parts
+from tmm_report.quantity.formula import Formula
 from tmm_report.report.heard import Heard
+from tmm_report.report.plain import text
 
 SOME = [
     "compressor",
@@ -92,26 +97,48 @@ CLICKED = """
   const found = {worked: box.querySelector('.worked')?.textContent, all: box.textContent,
     numbers: [...box.querySelectorAll('li')].map(x => [x.textContent, x.querySelector('b')?.textContent]),
     places: [...box.querySelectorAll('.formula a')].map(x => x.textContent),
+    formulas: [...box.querySelectorAll('.formula .math')].map(x => x.textContent),
     where: box.querySelector('.where').textContent};
   box.close();
+  box.remove();
   return found;
 })()
 """
 
 
-def test_a_click_on_another_position_starts_with_the_numbers_of_that_position():
-    """What is worked out is of the position of the note, and is said to be; the numbers are those of the row."""
-    told, position = data("compressor")["told"], 4
-    name = next(
+def of_another_position() -> str:
+    """A number that starts with numbers of its row, which the page has."""
+    return next(
         one
-        for one, of in told["starts"].items()
+        for one, of in data("compressor")["told"]["starts"].items()
         if one.startswith("flywheel_table.")
         and sum(isinstance(s, str) for s in of) > 1
         and 'data-q="{1}" data-k="4" data-t="{0}"'.format(*one.split(".")) in page("compressor")
     )
-    table, key = name.split(".")
+
+
+@cache
+def clicked() -> dict[str, Any]:
+    """Everything that is clicked, in one visit."""
     with opened(page("compressor")) as talk:
-        found: dict[str, Any] = run(talk, CLICKED % (key, position, table))
+        table, key = of_another_position().split(".")
+        return {
+            "row": run(talk, CLICKED % (key, 4, table)),
+            "force": run(talk, CLICKED % ("R_24", 7, "force_comparison_7")),
+            "wheel": run(talk, CLICKED % ("s_a", 1, "stage2_wheels")),
+            "plan": run(talk, CLICKED % ("v_D", 7, "comparison_7")),
+            "defined": run(talk, "[...defining.keys()]"),
+            "components": run(talk, "defining.delete('v_D'), definedBy('v_D', '7').map(f => result(f).q)"),
+            "shown": run(
+                talk, "[...new Set([...document.querySelectorAll('main [data-q]')].map(x => x.dataset.q))]"
+            ),
+        }
+
+
+def test_a_click_on_another_position_starts_with_the_numbers_of_that_position():
+    """What is worked out is of the position of the note, and is said to be; the numbers are those of the row."""
+    told, position, name = data("compressor")["told"], 4, of_another_position()
+    found = clicked()["row"]
     assert found["where"].endswith(name)
     columns = {c["key"]: c for of in data("compressor")["cycle"]["columns"].values() for c in of}
     numbered = data("compressor")["cycle"]["numbered"]
@@ -136,14 +163,46 @@ def read_number(text: str) -> float:
     return float(text.split(" ")[0].replace("\u2212", "-").replace(",", ".").replace("\xa0", "") or "nan")
 
 
-def test_a_vector_stands_upon_the_formulas_of_its_components():
-    """v_B of a comparison has no formula of its own in a short note: it is told by those of v_B^x and v_B^y."""
-    with opened(page("compressor")) as talk:
-        found = run(talk, CLICKED % ("v_B", 7, "comparison_7"))
-        force = run(talk, CLICKED % ("R_24", 7, "force_comparison_7"))
-    assert (
-        "vBx = " in found["worked"]
-        and found["where"].endswith("rates_table.v_B")
-        and len(found["places"]) > 5
-    )
+def test_a_vector_of_a_comparison_is_told_by_the_plan_and_by_its_components():
+    """v_D of a note that works out one formula of each kind: what is left out stands among those that are printed,
+    behind the equation of the plan."""
+    found, force = clicked()["plan"], clicked()["force"]
+    assert "vDx = " in found["worked"] and found["where"].endswith("rates_table.v_D")
+    said = found["formulas"]
+    assert len(found["places"]) > 5 and said[-1].startswith("vD = pd·μv = ")
+    assert said.index(next(one for one in said if one.startswith("v\u203eB"))) < [
+        one[:3] for one in said
+    ].index("vB ")
     assert len(force["places"]) > 3  # the equations of the force polygon are among them
+
+
+def test_a_vector_without_a_formula_stands_upon_those_of_its_components():
+    assert clicked()["components"] == ["v_D_x", "v_D_y"]
+
+
+def test_a_click_tells_formulas_that_the_note_leaves_out():
+    """The thickness of the tips of a wheel, of which the note works out the other's: with all that leads to it, as
+    `explain` has it."""
+    told, whole = data("compressor")["told"], {text(one.item, Translator("ru")) for one in heard().formulas}
+    left = {told["texts"][said]: marks for said, _, marks, _ in told["left"]}
+    assert left.keys() <= whole
+    line = next(said for said, marks in left.items() if marks[-1] == ["s_a", 1, "stage2_wheels"])
+    shown = clicked()["wheel"]["formulas"]
+    assert line.replace("_", "").replace("^", "") in shown
+    for key in ("d_a", "alpha_a", "d_b"):  # those of the same wheel, in front of it
+        lead = next(said for said, marks in left.items() if marks[-1] == [key, 1, "stage2_wheels"])
+        assert lead.replace("_", "").replace("^", "") in shown[:-1], key
+
+
+def test_a_click_knows_the_formulas_of_the_whole_note():
+    """Whatever formula `explain` has for a number of the page: of another position it is that of the first."""
+    keys = {
+        s.item.ref.key for s in heard().formulas if isinstance(s.item, Formula) and s.item.ref is not None
+    }
+    assert keys & set(clicked()["shown"]) <= set(clicked()["defined"])
+
+
+@cache
+def heard() -> Heard:
+    results = solved("compressor")
+    return listen(lambda page: list(parts(results, page)), results.variant.title, Translator("ru"))

@@ -7,19 +7,23 @@ with which numbers it starts in another one the script finds in the tables of th
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Container, Iterator
 from dataclasses import field
-from functools import cache
-from itertools import chain
+from functools import cache, cached_property
 from typing import Any, NamedTuple
 
 from tmm_report.course import Results, room, with_data
 from tmm_report.problems import Message
+from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Book, Column, Quantity, Table, Value
+from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.text import number
 from tmm_report.quantity.ways import GIVEN, Input, Known, Line, OwnWays, Way, by_kind, formula, telling
+from tmm_report.quantity.written import variables
 from tmm_report.records import dataclass
+from tmm_report.report.formats import Html
+from tmm_report.report.heard import Spoken
 from tmm_report.report.page import Page
 from tmm_report.report.plain import Plain, gap, said, text
 from tmm_report.results import tables, values
@@ -46,7 +50,7 @@ def told(results: Results, page: Page, shown: Container[str]) -> dict[str, Any]:
     """`ways`, `meanings`: name of a number, "key" or, where tables differ in it, "table.key" -> the place of its text
     among `texts`; of the keys and names `shown` on the page. `worked`, by "table.key" or the key of a single number:
     the places of the lines at position `sample`; `starts`: names of columns, or the places of a sign and a number."""
-    teller = _Teller(page, Book.of(tables(results), values(results)), _sample(results))
+    teller = _Teller(page, Plain(page.tr), Book.of(tables(results), values(results)), _sample(results))
     for chapter, found in with_data(results):
         quantities = room(chapter, "quantities")
         for table in quantities.tables(found):
@@ -58,7 +62,8 @@ def told(results: Results, page: Page, shown: Container[str]) -> dict[str, Any]:
         for value in quantities.values(found):
             if value.key in shown:
                 teller.tell(chapter, found, None, value)
-    return {"sample": teller.sample, "texts": list(teller.texts), **teller.found}
+    left = list(teller.left())
+    return {"sample": teller.sample, "texts": list(teller.texts), "left": left, **teller.found}
 
 
 def _sample(results: Results) -> int:
@@ -68,6 +73,7 @@ def _sample(results: Results) -> int:
 @dataclass(frozen=True, eq=False)
 class _Teller:
     page: Page
+    plain: Plain
     book: Book
     sample: int
     texts: dict[str, int] = field(default_factory=dict)
@@ -77,6 +83,28 @@ class _Teller:
 
     named: set[str] = field(default_factory=set)  # columns that have their meaning among the texts
     written: dict[int, tuple[Any, str]] = field(default_factory=dict)  # by identity: many numbers share them
+
+    @cached_property
+    def defined(self) -> set[str]:
+        """Keys of the numbers that have a formula."""
+        assert isinstance(self.page.form, Html)
+        left = (item.ref for item, *_ in self._left() if item.ref is not None)
+        return {ref.key for ref in (*self.page.form.defined, *left)}
+
+    def _left(self) -> Iterator[tuple[Formula, Spoken]]:
+        """The formulas that a note of this depth leaves out."""
+        for one in self.page.aside.formulas if self.page.aside is not None else ():
+            if isinstance(one.item, Formula) and one.item.ref is not None:
+                yield one.item, one
+
+    def left(self) -> Iterator[list[Any]]:
+        """Of each of them its text and that of its section; where the numbers in it stand in the results, its own as
+        the last: key, row and table; and so the result of the formula of the page behind which it belongs."""
+        for item, spoken in self._left():
+            own = _mark(item.ref)
+            known = [_mark(var.ref) for var in variables(item.expression) if var.ref is not None]
+            marks = [*(one for one in known if one != own), own]
+            yield [self.put(self._line(item)), self.put(spoken.section.title), marks, _mark(spoken.behind)]
 
     def put(self, words: str) -> int:
         return self.texts.setdefault(words, len(self.texts))
@@ -101,14 +129,17 @@ class _Teller:
             self.found[kind][name] = self.put(words)
 
     def _named(self, quantity: Quantity, symbol: Symbol | None) -> str:
-        meaning = said(quantity.meaning, self.page.tr)
-        return meaning if symbol is None else f"{Plain(self.page.tr).symbol(symbol)} – {meaning}"
+        meaning = said(quantity.meaning, self.page.tr, self.plain)
+        return meaning if symbol is None else f"{self.plain.symbol(symbol)} – {meaning}"
 
     def _told(self, chapter: str, found: Any, table: Table | None, of: Column | Value) -> _Told | None:
-        """By the first way that says with which numbers, else by the first."""
+        """By the first way that says with which numbers, else by the first; None of a single number that formulas of
+        the note tell."""
         name = of.key if table is None else f"{table.name}.{of.key}"
         kind = by_kind(table, of, of.key) if isinstance(of, Column) else None
-        ways = chain(_own_ways(chapter).of(name), [(kind, ())] if kind is not None else [])
+        ways = [*_own_ways(chapter).of(name), *([(kind, ())] if kind is not None else [])]
+        if table is None and of.key in self.defined and not any(way.beside for way, _ in ways):
+            return None
         return telling(self._one(way, parts, found, table, of) for way, parts in ways)
 
     def _one(
@@ -136,13 +167,11 @@ class _Teller:
             case Message():
                 return line.render(self.page.tr.gettext)
             case Input():
-                named = (
-                    Plain(self.page.tr).symbol(line.symbol) if line.symbol is not None else line.quantity.key
-                )
+                named = self.plain.symbol(line.symbol) if line.symbol is not None else line.quantity.key
                 between = ": " if isinstance(line.number, str) else " = "
                 return f"{named}{between}{self._number(line)}"
             case _:
-                return text(line, self.page.tr)
+                return text(line, self.page.tr, self.plain)
 
     def _start(self, column: str | None, one: Input) -> Start:
         if column is not None:
@@ -179,6 +208,10 @@ class _Asking(Known):
                 column = name
         self.asked.setdefault(column or name, (column, one))
         return one
+
+
+def _mark(ref: Ref | None) -> list[Any] | None:
+    return None if ref is None else [ref.key, ref.row, ref.table]
 
 
 def _row(table: Table, sample: int) -> int | None:

@@ -306,7 +306,10 @@ class Known:
             known = (c.key for c in self.table.columns)
         else:
             known = self.book.values
-        return [one for one in known if fits(name, one) is not None and one != self.own]
+        begin = name.partition("*")[0]
+        return [
+            one for one in known if one.startswith(begin) and fits(name, one) is not None and one != self.own
+        ]
 
 
 def _cell(table: Table, key: str, row: int) -> Input:

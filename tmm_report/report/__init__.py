@@ -19,6 +19,7 @@ from tmm_report.i18n import Translator
 from tmm_report.problems import Message
 from tmm_report.profiles import Profile
 from tmm_report.report.formats import Html, Png, Tex
+from tmm_report.report.heard import Heard
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page, template
 from tmm_report.report.paper.punctuation import joined
@@ -73,6 +74,8 @@ def render(
     it on the screen.
     """
     page = Page(FORMATS[fmt](), tr, Numbering(), note, profile)
+    if living is not None and fmt == "html":
+        page.aside = Heard()
     parts = make(page)
     given = {**_given(title, page), "assignment": assignment}
     own = _own(template_of) if template_of else None

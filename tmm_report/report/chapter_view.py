@@ -198,4 +198,8 @@ class ChapterView(BookView):
 
     def of_each_kind(self, formulas: Iterable[Formula]) -> list[Formula]:
         """All of them, or the first of each kind; tables have the numbers of the others."""
-        return [*formulas] if self.page.note.every else parted(formulas)[0]
+        if self.page.note.every:
+            return [*formulas]
+        first, others = parted(formulas)
+        self.page.leaves_out(others)
+        return first

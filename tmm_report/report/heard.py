@@ -1,14 +1,11 @@
-"""What a note says, gathered while it is written: its formulas and where each number of a table stands.
-
-heard = listen(lambda page: list(note.parts(results, page)), title, Translator("ru"))
-heard.formulas[0]      # the formula itself, its number and the section in which it stands
-"""
+"""What a note says, gathered while it is written: its formulas and where each number of a table stands; and what a
+note of its depth leaves out."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import field
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from markupsafe import Markup
 
@@ -20,21 +17,25 @@ from tmm_report.quantity.formula import Formula, VectorEquation
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.written import Equation
 from tmm_report.records import dataclass
-from tmm_report.report import render
 from tmm_report.report.formats import Html, Mathematics
 from tmm_report.report.numbering import Numbering, Place, Section
-from tmm_report.report.page import Page
 from tmm_report.report.paper.layout import Cell, Words
-from tmm_report.report.part import Part, Title
 from tmm_report.report.plain import Item
+from tmm_report.report.sources import Cited
+from tmm_report.report.symbol_list import SymbolList
+
+if TYPE_CHECKING:
+    from tmm_report.report.page import Page
 
 
 class Spoken(NamedTuple):
-    """A formula of the note, its number there ("" of one without), the section it stands in."""
+    """A formula of the note, its number ("" of one without), the section it stands in; of one that is left out, the
+    result of the formula before it."""
 
     item: Item
     number: str
     section: Section
+    behind: Ref | None = None
 
 
 class Listed(NamedTuple):
@@ -52,18 +53,37 @@ class Heard:
     formulas: list[Spoken] = field(default_factory=list)
     cells: list[Listed] = field(default_factory=list)
 
+    def left_out(self, formulas: Iterable[Formula], page: Page) -> None:
+        """Formulas that the section being written has others like."""
+        here = section(page.numbering)
+        self.formulas += [Spoken(one, "", here, _last(page)) for one in formulas]
 
-def listen(make: Callable[[Page], Sequence[Part]], title: Title, tr: Translator) -> Heard:
-    """What the note of these parts says. No picture is drawn."""
-    heard = Heard()
 
-    def parts(page: Page) -> Sequence[Part]:
-        page.numbering = Counted()
-        page.form = Listener(page.numbering, heard)
-        return make(page)
+def _last(page: Page) -> Ref | None:
+    """The result of the last formula that is printed."""
+    return page.form.defined[-1] if isinstance(page.form, Html) and page.form.defined else None
 
-    render(parts, title, "html", tr)
-    return heard
+
+def section(numbering: Numbering) -> Section:
+    """The section that is being written, its title as plain text."""
+    last = numbering.sections[-1]
+    return last._replace(title=Markup(last.title).striptags())
+
+
+def overhear(page: Page, write: Callable[[], Markup]) -> None:
+    """What a piece says that the note leaves out, into the page's `aside`; nothing of it is numbered or explained."""
+    assert page.aside is not None
+    kept, aside = (page.form, page.numbering, page.symbols, page.cited), page.aside
+    first, behind = len(aside.formulas), _last(page)
+    numbering = Counted(sections=[*page.numbering.sections], scheme=page.numbering.scheme)
+    page.form, page.numbering = Listener(numbering, aside), numbering
+    page.form.paper = kept[0].paper
+    page.symbols, page.cited = SymbolList(), Cited(page.tr.cited)
+    try:
+        write()
+    finally:
+        page.form, page.numbering, page.symbols, page.cited = kept
+    aside.formulas[first:] = [one._replace(behind=behind) for one in aside.formulas[first:]]
 
 
 @dataclass
@@ -99,9 +119,7 @@ class Listener(Html):
         return Markup("")
 
     def _section(self) -> Section:
-        """The section that is being written, its title as plain text."""
-        last = self.numbering.sections[-1]
-        return last._replace(title=Markup(last.title).striptags())
+        return section(self.numbering)
 
     def picture(self, picture: Drawing | Graph, anchor: str, caption: object = "") -> Markup:
         return Markup("")

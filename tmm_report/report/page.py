@@ -33,6 +33,7 @@ from tmm_report.quantity.text import number as written
 from tmm_report.quantity.written import Equation, explained
 from tmm_report.report import diagrams
 from tmm_report.report.bytecode import bytecode_cache
+from tmm_report.report.heard import Heard, overhear
 from tmm_report.report.numbering import Numbering, Place, Section
 from tmm_report.report.paper import layout
 from tmm_report.report.paper.layout import Cell, Words, runs
@@ -77,6 +78,7 @@ class _Environment(Environment):
 
 BEHIND = "\N{NULL}"  # begins what belongs to the sentence before; in no text
 ROUNDING = 1e-6  # what is smaller beside 1 is no result of the note: a second way to a number leaves so much
+OTHERS = ".others"  # ends the name of pieces that work out other positions in the same way
 TRIMMED = True  # blocks take their line's blanks and end with them
 
 
@@ -142,6 +144,9 @@ class Page:
         self.numbering.scheme = self.profile.numbers
         self.symbols = SymbolList()
         self.cited = Cited(tr.cited)
+        self.aside: Heard | None = (
+            None  # for a page on the screen: formulas that a note of its depth leaves out
+        )
         self._made: dict[tuple[Any, ...], Any] = {}
 
     def once(self, make: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
@@ -154,8 +159,12 @@ class Page:
     def laid(self, piece: str, write: Callable[[], Markup]) -> Markup:
         """A piece where it stands: here, among the appendices, one a chapter, or nowhere; "" stands always here."""
         where = self.note.stand(piece) if piece else "body"
+        if where == "omit":
+            if self.aside is not None and not piece.endswith(OTHERS):
+                overhear(self, write)
+            return Markup("")
         if where != "appendix":
-            return Markup("") if where == "omit" else write()
+            return write()
         appendix = self.numbering.appendix(self.tr.letters)
         with self.numbering.within(appendix):
             text = self.form.apart(write)
@@ -164,6 +173,11 @@ class Page:
         elif not appendix.pieces:  # this variant has nothing of it
             self.numbering.appendices.remove(appendix)
         return Markup("")
+
+    def leaves_out(self, formulas: Iterable[Formula]) -> None:
+        """Of formulas of one kind those that a shorter note does not work out."""
+        if self.aside is not None:
+            self.aside.left_out(formulas, self)
 
     def figure(self, picture: Drawing | Graph, label: str) -> Place:
         """The number of a figure: among those of the text, or of the drawings that have sheets of their own."""

@@ -7,6 +7,7 @@ the line needs them, so that the text is worked out from left to right as the fo
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import field
 
 from tmm_report.i18n import Translator
 from tmm_report.problems import Message
@@ -22,9 +23,9 @@ _RAISED = str.maketrans("-−0123456789", "⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _DIGITS = frozenset("-−0123456789")
 
 
-def text(item: Item, tr: Translator) -> str:
+def text(item: Item, tr: Translator, form: Plain | None = None) -> str:
     """A formula on one line: what is defined = in symbols = in numbers = value and unit."""
-    form = Plain(tr)
+    form = form or Plain(tr)
     match item:
         case Formula():
             return " = ".join([form.symbol(_sign(item.result)), *_sides(item, form)]) + _unit(item, tr)
@@ -48,11 +49,11 @@ def gap(unit: str, tr: Translator) -> str:
     return f"{'' if name == '°' else ' '}{name}" if name else ""
 
 
-def said(message: Message, tr: Translator) -> str:
+def said(message: Message, tr: Translator, form: Plain | None = None) -> str:
     """A message in words, symbols among its values as they are written in text."""
-    form, values = Plain(tr), {}
+    form, values = form or Plain(tr), {}
     for name, value in message.values.items():
-        value = said(value, tr) if isinstance(value, Message) else value
+        value = said(value, tr, form) if isinstance(value, Message) else value
         values[name] = form.symbol(value) if isinstance(value, Symbol) else value
     return Message(message.text, values).render(tr.gettext)
 
@@ -87,13 +88,21 @@ def _vectors(side: Sequence[Term], form: Plain) -> str:
 
 @dataclass(frozen=True, eq=False)
 class Plain(Latex):
-    """Plain text in place of LaTeX: every shape that `Latex` knows, written with ordinary signs."""
+    """Plain text in place of LaTeX: every shape that `Latex` knows, written with ordinary signs. `written`: symbols,
+    which formulas have many times."""
+
+    written: dict[Symbol, str] = field(default_factory=dict)
 
     def parts(self, parts: Parts) -> str:
         number = (MINUS if parts.negative else "") + parts.digits.replace(".", self.tr.decimal)
         return number if parts.power is None else f"{number}·10{str(parts.power).translate(_RAISED)}"
 
     def symbol(self, symbol: Symbol) -> str:
+        if symbol not in self.written:
+            self.written[symbol] = self._symbol(symbol)
+        return self.written[symbol]
+
+    def _symbol(self, symbol: Symbol) -> str:
         if symbol.kind == "segment":
             return symbol.base
         return self.indexed(self.text(symbol.base), self.text(symbol.sub), self.text(symbol.sup))

@@ -10,6 +10,7 @@ import numpy as np
 
 from tmm_report import load, solve
 from tmm_report.commands.explain.derivation import Derivation, Walk, derive
+from tmm_report.commands.explain.listen import listen
 from tmm_report.commands.explain.stated import stated, written
 from tmm_report.commands.explain.target import Target, find
 from tmm_report.commands.explain.text import lines
@@ -24,7 +25,7 @@ from tmm_report.quantity.formula import Formula, Var
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.text import number
 from tmm_report.quantity.ways import STATED
-from tmm_report.report.heard import Heard, listen
+from tmm_report.report.heard import Heard
 from tmm_report.report.words import method_name
 
 OTHER_METHOD = N_(

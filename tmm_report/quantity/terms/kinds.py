@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable
+from collections.abc import Callable, Hashable, Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -29,8 +29,9 @@ class Kinds:
     the axis on which they project, too.
     """
 
-    def __init__(self, every: bool):
-        self.every = every
+    def __init__(self, every: bool, left_out: Callable[[Iterable[Formula]], None] = lambda formulas: None):
+        """`left_out`: what is done with those that are not printed."""
+        self.every, self.left_out = every, left_out
         self._first: dict[Hashable, object] = {}  # the part of the chapter that had the kind first
         self._alike = set[Hashable]()
 
@@ -43,6 +44,7 @@ class Kinds:
             same, alike = _kind(formula, False), _kind(formula, True)
             if not self.every and self._known(same, nought, here) != here:
                 found.same.append(value_of(formula))
+                self.left_out([formula])
             else:
                 known = not self.every and alike in self._alike
                 found.lines.append(replace(formula, numbers=False) if known else formula)

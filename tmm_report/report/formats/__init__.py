@@ -18,6 +18,7 @@ from markupsafe import Markup
 from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import FONTS, Drawing, svg, tikz
 from tmm_report.i18n import Translator
+from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.ref import Ref, attributes
 from tmm_report.quantity.symbols import GREEK, Notation, latex_escape, xml_escape
 from tmm_report.records import dataclass
@@ -43,13 +44,14 @@ class Html(Ready):
     """One self-contained file: pictures stand in it as svg.
 
     `breaking`: whether a line may break within words longer than any of a language, as in a note; `pictures`: those of
-    its figures, by their anchors.
+    its figures, by their anchors; `defined`: the numbers that its formulas work out.
     """
 
     name = "html"
     breaking: bool = False
     files: dict[str, bytes] = field(default_factory=dict)
     pictures: dict[str, Drawing | Graph] = field(default_factory=dict)
+    defined: list[Ref] = field(default_factory=list)
 
     def escape(self, text: str) -> Markup:
         return _escaped(text, self.breaking)
@@ -66,6 +68,8 @@ class Html(Ready):
         return cell if isinstance(cell, Markup) else self.escape(str(cell))
 
     def math(self, item: Mathematics, tr: Translator, display: bool = False) -> Markup:
+        if isinstance(item, Formula) and item.ref is not None and item.numbers:
+            self.defined.append(item.ref)
         text, share = broken(item.mathml(tr), self.paper.line) if display else (item.mathml(tr), 1.0)
         return Markup(text if share == 1 else f'<span style="font-size:{100 * share:.0f}%">{text}</span>')
 

@@ -65,7 +65,7 @@ class PlansView(BookView):
         self.first = sample if sample in drawn else next(iter(drawn), 0)  # the one that is explained in full
         ranked = sorted(drawn, key=lambda k: k != self.first)
         self.worked = ranked[: page.note.plans or 1]  # positions whose plans always stand in the text
-        self.kinds_once, self.kinds = not page.note.every, Kinds(page.note.every)
+        self.kinds_once, self.kinds = not page.note.every, Kinds(page.note.every, page.leaves_out)
         self.scale, self.picture = cache(self._scale), cache(self._picture)
 
     def conclusions(self) -> list[Markup]:

@@ -63,7 +63,7 @@ class ContoursView:
             for formula, _ in self.written.bench.checks:
                 _ = formula.value
         self.table = page.once(_tables, found)["contours"]
-        self.kinds = Kinds(page.note.every)
+        self.kinds = Kinds(page.note.every, page.leaves_out)
 
     def conclusions(self) -> list[Markup]:
         return []
