@@ -58,7 +58,10 @@ _DOCX = (
     (r"(:</w:p>\s*<!--where-->[^\n]*?>)WHERE ", r"\1"),
     # word processors, too, break beside a formula: what clings to it is a part of it
     (r"(?<=[\s>])([(«]+)<m:oMath>", r"<m:oMath><m:r><m:rPr><m:nor/></m:rPr><m:t>\1</m:t></m:r>"),
-    (r"</m:oMath>((?:<!--[\d.]+-->)?)([.,;:)»]+)", r"<m:r><m:rPr><m:nor/></m:rPr><m:t>\2</m:t></m:r></m:oMath>\1"),
+    (r"</m:oMath>((?:<!--[\d.]+-->)?)([.,;:)»]+)(?![^<]*</w:p></n:cell>)",
+     r"<m:r><m:rPr><m:nor/></m:rPr><m:t>\2</m:t></m:r></m:oMath>\1"),
+    # and of its unit: LibreOffice sets pieces of text apart
+    (r"(<m:nor/></m:rPr><m:t [^<]*)</m:t></m:r><m:r><m:rPr><m:nor/></m:rPr><m:t>([.,;:)»]+)</m:t>", r"\1\2</m:t>"),
 )  # fmt: skip
 _RULES = {"html": _HTML, "tex": _TEX, "typst": _TYPST, "docx": _DOCX}
 
