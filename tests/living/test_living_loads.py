@@ -17,6 +17,7 @@ from test_living_data import ORDERED, data, known, page, vertices
 from test_living_page import number, opened, run
 
 from tmm_report import load, render, solve
+from tmm_report.living.loads import _across
 
 
 def vector(found, key):
@@ -246,3 +247,10 @@ def test_the_balancing_moment_goes_with_its_schemes():
     for at, text in told:
         shown = number(re.search(r"M.* = ([−\d,.]+) Н·м", text)[1])
         assert shown == pytest.approx(column["values"][at], rel=1e-4)
+
+
+def test_a_couple_has_no_force_across_an_arm_without_length():
+    """Told nobody: a cam at rest is round, and so it is where the mechanism cannot be assembled."""
+    with np.errstate(all="raise"):
+        force = _across(np.array([0j, complex("nan"), 2 + 0j]), np.array([0.0, 1.0, 6.0]))
+    assert np.isnan(force[:2]).all() and force[2] == 3j

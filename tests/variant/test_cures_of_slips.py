@@ -33,6 +33,23 @@ def test_a_missing_key_that_is_there_misspelt_is_told_once():
     assert line.endswith("friction.pivots.diametr: unknown key diametr; did you mean diameter?")
 
 
+@pytest.mark.parametrize(
+    ("right", "wrong", "told"),
+    [
+        ("  driver:", "  drivr:", "mechanism.drivr: unknown key drivr; did you mean driver?"),
+        ("  driver:", "  привод:", "mechanism.привод: unknown key привод; keys are English words: driver"),
+        (
+            "mass_centre: S3",
+            "mas_centre: S3",
+            "links.3.mas_centre: unknown key mas_centre; did you mean mass_centre?",
+        ),
+    ],
+)
+def test_a_part_that_every_mechanism_has_under_another_name_is_told_once(right, wrong, told):
+    (line,) = lines((right, wrong))
+    assert line.endswith(told)
+
+
 def test_a_missing_key_beside_an_unknown_one_that_is_another_is_told_too():
     friction = "friction:\n  pivots: {coefficient: 0.1, lubricant: oil}\nloads:\n"
     assert len(lines(("loads:\n", friction))) == 2

@@ -21,6 +21,8 @@ KINDS = {
     "flywheel": ("flywheel",),
 }
 """Kind -> the blocks that make a variant one of it."""
+NO_KINDS = {"title", "language", "decimal_sign", "mechanism", "positions", "drawing", "accuracy", "method"}
+"""Blocks that say nothing of what a variant is about."""
 
 
 @dataclass(frozen=True)
@@ -82,8 +84,8 @@ def chosen(every: Sequence[Example], names: Sequence[str] = (), kind: str | None
     kind = kind_in_english(kind, (block for one in every for block in one.blocks))
     found = [one for one in wanted if one.is_a(kind)]
     if not found and not any(one.is_a(kind) for one in every):
-        blocks = {block for one in every for block in one.blocks if "." not in block}
-        known = ", ".join(dict.fromkeys([*KINDS, *sorted(blocks - {"title", "language", "mechanism"})]))
+        blocks = {block for one in every for block in one.blocks if "." not in block} - NO_KINDS
+        known = ", ".join(dict.fromkeys([*KINDS, *sorted(blocks)]))
         raise failure(N_("--kind: unknown %(words)s; known: %(known)s"), words=shown(kind), known=known)
     return found
 
@@ -99,10 +101,13 @@ def named(every: Sequence[Example], name: str) -> Example:
     """The ready variant of a name, with or without the end of its file. Raises ProblemError."""
     found = next((one for one in every if name in (one.name, one.file.name)), None)
     if found is None:
-        from tmm_report.variant.errors import near
+        from difflib import get_close_matches
 
         wrong = Message(N_("there is no ready variant %(name)s"), {"name": shown(name)})
-        raise ProblemError([Problem(wrong, near(name, [one.name for one in every]))])
+        right = Message(N_("tmm-report examples lists them"))
+        if nearest := get_close_matches(name, [one.name for one in every], 1):
+            right = Message(N_("did you mean %(near)s?"), {"near": nearest[0]})
+        raise ProblemError([Problem(wrong, right)])
     return found
 
 

@@ -9,7 +9,6 @@ from pathlib import Path
 from tmm_report import __version__
 from tmm_report import solve as solve_variant
 from tmm_report.commands.files import FORMATS, combinations, for_typst, render, translator
-from tmm_report.commands.sentences import printed
 from tmm_report.commands.talk import Talk, failure, in_columns, reason, unwritable, written
 from tmm_report.commands.whole import Put, put
 from tmm_report.course import DEPTHS, Depth, LeverFound, Results, doubts, sound
@@ -17,7 +16,8 @@ from tmm_report.course import summary as in_short
 from tmm_report.i18n import Translator
 from tmm_report.interactive.brief import rows
 from tmm_report.loading import loads, stated
-from tmm_report.problems import N_, Message
+from tmm_report.problems import N_, Message, mistake
+from tmm_report.quantity.text import Amount, amounts, printed
 from tmm_report.running.journal import digest
 from tmm_report.variant import locate
 from tmm_report.variant.department import beside
@@ -249,7 +249,7 @@ def _lever(results: Results, lever: LeverFound, tr: Translator, talk: Talk) -> b
     talk.tell(lever.structure.formula)
     _differences(lever, tr, talk)
     _no_plans(lever, talk)
-    _gaps(lever, talk)
+    _gaps(results, lever, talk)
     own = _own_numbers(results, tr, talk)
     missed = lever.kinematics.missed
     if missed is not None:
@@ -264,7 +264,7 @@ def _differences(lever: LeverFound, tr: Translator, talk: Talk) -> None:
         return
     worst = max(plans.worst, forces.worst if forces else 0.0)
     text = N_("largest difference of the graphical method: %(percent)s %%")
-    talk.tell(printed(Message(text, {"percent": f"{worst:.3g}"}), tr))
+    talk.tell(printed(Message(text, {"percent": Amount(worst, 3)}), tr))
 
 
 def _own_numbers(results: Results, tr: Translator, talk: Talk) -> bool:
@@ -273,7 +273,7 @@ def _own_numbers(results: Results, tr: Translator, talk: Talk) -> bool:
     if found is None:
         return True
     text = N_("largest difference of the student's readings: %(percent)s %%")
-    talk.tell(printed(Message(text, {"percent": f"{found.worst:.3g}"}), tr))
+    talk.tell(printed(Message(text, {"percent": Amount(found.worst, 3)}), tr))
     for one in found.wrong:
         talk.warn(locate(one.problem, results.variant))
     if found.unsigned:
@@ -298,11 +298,11 @@ def _no_plans(lever: LeverFound, talk: Talk) -> None:
             talk.tell(Message(text, {"numbers": ", ".join(map(str, numbers))}))
 
 
-def _gaps(lever: LeverFound, talk: Talk) -> None:
+def _gaps(results: Results, lever: LeverFound, talk: Talk) -> None:
     """Over which part of the cycle the mechanism cannot be assembled: an error where that is not meant so."""
     for gap in lever.kinematics.gaps:
         if lever.partial:
-            talk.warn(Message(N_("error: %(what)s"), {"what": gap.text}))
+            talk.warn(locate(mistake(N_("error: %(what)s"), gap.path, what=gap.text), results.variant))
         else:
             talk.tell(gap.text)
 
@@ -316,7 +316,7 @@ def _balance(lever: LeverFound, tr: Translator, talk: Talk) -> bool:
         "checks of the balancing moment, relative disagreement: lever %(lever)s, power balance %(power)s"
     )
     worst = {"lever": forces.worst_lever, "power": forces.worst_power}
-    talk.tell(printed(Message(text, {key: f"{one:.1e}" for key, one in worst.items()}), tr))
+    talk.tell(printed(Message(text, amounts(worst, 2)), tr))
     if not forces.agrees:
         talk.warn(Message(N_("error: the checks of the balancing moment disagree by more than 1e-9")))
     elif forces.strained:

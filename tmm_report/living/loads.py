@@ -308,20 +308,24 @@ class Loads:
             return self.known[one.key]
         if one.pair:
             along, couple = self._way(one.pair, one.on), self.couples.get(one.key.removeprefix("F_"))
-            return None if couple is None else 1j * along / np.abs(along) ** 2 * couple
+            return None if couple is None else _across(along, couple)
         if one.key == lever_quantities.LEVER_FORCE.key and self.moment in self.couples:
             pivot = self.found.kinematics.linkage.structure.driver_pair.name
             along = self._way(pivot, one.on)
-            with np.errstate(
-                divide="ignore", invalid="ignore"
-            ):  # a cam at rest is round: its centre is the pivot
-                return 1j * along / np.abs(along) ** 2 * self.couples[self.moment]
+            return _across(along, self.couples[self.moment])
         return None
 
     def _way(self, start: str, end: str) -> Array:
         """From one point to another, m, (Q,)."""
         one, other = (self._at(p) for p in (start, end))
         return (other - one) * self.view.motion.mu
+
+
+def _across(along: Array, couple: Array) -> Array:
+    """The force across an arm that makes a couple with it, N, (Q,): none where the arm has no length, as a cam at rest
+    has, whose centre is the pivot, or where the mechanism cannot be assembled."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return 1j * along / np.abs(along) ** 2 * couple
 
 
 def _side(key: str, points: list[str]) -> list[str] | None:

@@ -1,4 +1,4 @@
-"""Number -> text in one place, and the names of units.
+"""Number -> text in one place, in cells and in sentences, and the names of units.
 
 Rounding is what a person does with the number in view: half up on its decimal digits. A float that stands for
 2.675 is a little less than 2.675, so sizes are raised by a relative 1e-12 before they are rounded.
@@ -8,13 +8,15 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from tmm_report.i18n import NP_, Translator
+from tmm_report.problems import Message
+from tmm_report.records import dataclass
 
 ZERO = 1e-9  # relative to the scale: anything smaller is the noise of a computation and prints as 0
 NUDGE = 1 + 1e-12
@@ -188,3 +190,45 @@ def unit_text(unit: str, language: str) -> str:
     words[1::2] = ["°" if word == "deg" else translate("unit", word) for word in words[1::2]]
     words[::2] = [sign.translate(_SIGNS) for sign in words[::2]]
     return "".join(words)
+
+
+# ---------------------------------------------------------------- numbers in sentences
+
+
+@dataclass(frozen=True)
+class Amount:
+    """A number of a sentence, to `digits` significant ones; as text it is English."""
+
+    value: float
+    digits: int = 4
+    unit: str = ""
+
+    def text(self, tr: Translator) -> str:
+        shown = number(self.value, self.digits, tr.decimal, scale=0.0)
+        return f"{shown} {unit_text(self.unit, tr.language)}" if self.unit else shown
+
+    def __str__(self) -> str:
+        return self.text(Translator("en"))
+
+
+def amounts(values: Mapping[str, float], digits: int = 4) -> dict[str, Amount]:
+    """Of a sentence whose units stand in its words."""
+    return {key: Amount(value, digits) for key, value in values.items()}
+
+
+def equalities(named: Mapping[str, Amount]) -> Message:
+    """a = 142 mm, b = 1.5."""
+    text = ", ".join(f"%(name{k})s = %(of{k})s" for k in range(len(named)))
+    values: dict[str, object] = {f"name{k}": name for k, name in enumerate(named)}
+    return Message(text, values | {f"of{k}": one for k, one in enumerate(named.values())})
+
+
+def printed(message: Message, tr: Translator) -> Message:
+    """The sentence with its amounts as the language writes them; other values are left as they are."""
+    return Message(message.text, {key: _printed(value, tr) for key, value in message.values.items()})
+
+
+def _printed(value: object, tr: Translator) -> object:
+    if isinstance(value, Message):
+        return printed(value, tr)
+    return value.text(tr) if isinstance(value, Amount) else value

@@ -35,28 +35,34 @@ class Dimension(NamedTuple):
 
 
 DIMENSIONS = {
-    "length": Dimension(N_("a length"), (1, 0, 0, 0), "m", "300 mm"),
-    "mass": Dimension(N_("a mass"), (0, 1, 0, 0), "kg", "1.5 kg"),
-    "time": Dimension(N_("a time"), (0, 0, 1, 0), "s", "0.05 s"),
-    "angle": Dimension(N_("an angle"), (0, 0, 0, 1), "rad", "20 deg"),
-    "speed": Dimension(N_("an angular velocity"), (0, 0, -1, 1), "rad/s", "1200 rpm"),
-    "acceleration": Dimension(N_("an acceleration"), (1, 0, -2, 0), "m/s^2", "9.81 m/s^2"),
-    "angular acceleration": Dimension(N_("an angular acceleration"), (0, 0, -2, 1), "rad/s^2", "5 rad/s^2"),
-    "force": Dimension(N_("a force"), (1, 1, -2, 0), "N", "2 kN"),
-    "moment": Dimension(N_("a moment of force"), (2, 1, -2, 0), "N*m", "50 N*m"),
-    "pressure": Dimension(N_("a pressure"), (-1, 1, -2, 0), "Pa", "1.2 MPa"),
-    "inertia": Dimension(N_("a moment of inertia"), (2, 1, 0, 0), "kg*m^2", "0.0135 kg*m^2"),
-    "velocity": Dimension(N_("a velocity"), (1, 0, -1, 0), "m/s", "1.5 m/s"),
-    "power": Dimension(N_("a power"), (2, 1, -3, 0), "W", "5.5 kW"),
-    "work": Dimension(N_("a work"), (2, 1, -2, 0), "J", "400 J"),
-    "stiffness": Dimension(N_("a stiffness"), (0, 1, -2, 0), "N/m", "20 kN/m"),
-    "damping": Dimension(N_("a damping"), (0, 1, -1, 0), "N*s/m", "400 N*s/m"),
-    "torsional stiffness": Dimension(N_("a torsional stiffness"), (2, 1, -2, -1), "N*m/rad", "500 N*m/rad"),
-    "torsional damping": Dimension(N_("a torsional damping"), (2, 1, -1, -1), "N*m*s/rad", "2 N*m*s/rad"),
-    "density": Dimension(N_("a density"), (-3, 1, 0, 0), "kg/m^3", "7850 kg/m^3"),
-    "linear mass": Dimension(N_("a mass by a length"), (-1, 1, 0, 0), "kg/m", "0.18 kg/m"),
-    "wear": Dimension(N_("a wear coefficient"), (1, -1, 2, 0), "1/Pa", "1e-15 1/Pa"),
-    "slowness": Dimension(N_("a number by a velocity"), (-1, 0, 1, 0), "s/m", "0.02 s/m"),
+    "length": Dimension(N_("a length"), (1, 0, 0, 0), N_("m"), N_("300 mm")),
+    "mass": Dimension(N_("a mass"), (0, 1, 0, 0), N_("kg"), N_("1.5 kg")),
+    "time": Dimension(N_("a time"), (0, 0, 1, 0), N_("s"), N_("0.05 s")),
+    "angle": Dimension(N_("an angle"), (0, 0, 0, 1), N_("rad"), N_("20 deg")),
+    "speed": Dimension(N_("an angular velocity"), (0, 0, -1, 1), N_("rad/s"), N_("1200 rpm")),
+    "acceleration": Dimension(N_("an acceleration"), (1, 0, -2, 0), N_("m/s^2"), N_("9.81 m/s^2")),
+    "angular acceleration": Dimension(
+        N_("an angular acceleration"), (0, 0, -2, 1), N_("rad/s^2"), N_("5 rad/s^2")
+    ),
+    "force": Dimension(N_("a force"), (1, 1, -2, 0), N_("N"), N_("2 kN")),
+    "moment": Dimension(N_("a moment of force"), (2, 1, -2, 0), N_("N*m"), N_("50 N*m")),
+    "pressure": Dimension(N_("a pressure"), (-1, 1, -2, 0), N_("Pa"), N_("1.2 MPa")),
+    "inertia": Dimension(N_("a moment of inertia"), (2, 1, 0, 0), N_("kg*m^2"), N_("0.0135 kg*m^2")),
+    "velocity": Dimension(N_("a velocity"), (1, 0, -1, 0), N_("m/s"), N_("1.5 m/s")),
+    "power": Dimension(N_("a power"), (2, 1, -3, 0), N_("W"), N_("5.5 kW")),
+    "work": Dimension(N_("a work"), (2, 1, -2, 0), N_("J"), N_("400 J")),
+    "stiffness": Dimension(N_("a stiffness"), (0, 1, -2, 0), N_("N/m"), N_("20 kN/m")),
+    "damping": Dimension(N_("a damping"), (0, 1, -1, 0), N_("N*s/m"), N_("400 N*s/m")),
+    "torsional stiffness": Dimension(
+        N_("a torsional stiffness"), (2, 1, -2, -1), N_("N*m/rad"), N_("500 N*m/rad")
+    ),
+    "torsional damping": Dimension(
+        N_("a torsional damping"), (2, 1, -1, -1), N_("N*m*s/rad"), N_("2 N*m*s/rad")
+    ),
+    "density": Dimension(N_("a density"), (-3, 1, 0, 0), N_("kg/m^3"), N_("7850 kg/m^3")),
+    "linear mass": Dimension(N_("a mass by a length"), (-1, 1, 0, 0), N_("kg/m"), N_("0.18 kg/m")),
+    "wear": Dimension(N_("a wear coefficient"), (1, -1, 2, 0), N_("1/Pa"), N_("1e-15 1/Pa")),
+    "slowness": Dimension(N_("a number by a velocity"), (-1, 0, 1, 0), N_("s/m"), N_("0.02 s/m")),
     "number": Dimension(N_("a plain number"), (0, 0, 0, 0), "1", "0.1"),
 }
 
@@ -352,8 +358,8 @@ def _weight(text: str, unit: str, given: Exponents, wanted: Exponents) -> Messag
 
 
 def _naming(wanted: Dimension, value: str) -> dict[str, object]:
-    return {"value": value, "name": Message(wanted.name), "unit": wanted.unit}
+    return {"value": value, "name": Message(wanted.name), "unit": Message(wanted.unit)}
 
 
 def _example(wanted: Dimension) -> Message:
-    return Message(N_("for example, %(example)s"), {"example": wanted.example})
+    return Message(N_("for example, %(example)s"), {"example": Message(wanted.example)})

@@ -63,9 +63,13 @@ def _is_misspelt(error: Any, found: Sequence[Any]) -> bool:
     beside = [one for one in found[:WORDED] if one["loc"][:-1] == around and one is not error]
     if isinstance(key, int):
         return any(isinstance(one["input"], str) and ";" in one["input"] for one in beside)
-    unknown = [str(one["loc"][-1]) for one in beside if one["type"] == "extra_forbidden"]
-    by_other_name = any(key in (english_key(one, [key]), synonyms.meant(one, [key])) for one in unknown)
-    return by_other_name or bool(difflib.get_close_matches(key, unknown, 1, CLOSE))
+    return by_another_name(key, [str(one["loc"][-1]) for one in beside if one["type"] == "extra_forbidden"])
+
+
+def by_another_name(key: str, unknown: Collection[str]) -> bool:
+    """Whether one of the unknown keys is the one that is missing: in Russian, as textbooks call it, misspelt."""
+    named = any(key in (english_key(one, [key]), synonyms.meant(one, [key])) for one in unknown)
+    return named or bool(difflib.get_close_matches(key, unknown, 1, CLOSE))
 
 
 def _is_long_enough(error: Any) -> bool:
@@ -228,7 +232,7 @@ def unknown_block(key: str, data: Any, known: Sequence[str], roots: Roots) -> Me
     if (refused := next((texts[key] for texts in _refusals(roots()) if key in texts), "")) != "":
         return Message(refused)
     everywhere = {name for block in roots() for name in block.model_fields}
-    if (meant := english_key(key, everywhere)) is not None:
+    if (meant := english_key(key, known) or english_key(key, everywhere)) is not None:
         return Message(N_("keys are English words: %(key)s"), {"key": meant})
     if (known_by_name := _textbook(key, known)) is not None:
         return known_by_name

@@ -18,6 +18,7 @@ from tmm_report.chapters.find.target import Target, level
 from tmm_report.mechanics.calculus.seek_two import PARTS, Asked, Root, Sought, seek, sizes, slopes
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.model import Quantity
+from tmm_report.quantity.text import Amount, equalities
 from tmm_report.records import dataclass
 
 Array = Any
@@ -67,8 +68,8 @@ class Both:
         pairs = zip(self.given.unknowns, self.numbers, strict=True)
         made = zip(self.given.demands, self.chosen.value, self.targets, strict=True)
         told = {
-            "unknowns": ", ".join(f"{one.name} = {number:.8g} {one.unit}".strip() for one, number in pairs),
-            "results": ", ".join(f"{of.name} = {y:.8g} {by.quantity.unit}".strip() for of, y, by in made),
+            "unknowns": equalities({one.name: Amount(number, 8, one.unit) for one, number in pairs}),
+            "results": equalities({of.name: Amount(y, 8, by.quantity.unit) for of, y, by in made}),
             "count": len(self.sought.roots),
         }
         if self.sound:

@@ -22,6 +22,7 @@ from tmm_report.chapters.find.target import Target, level
 from tmm_report.mechanics.calculus.seek import Asked, Root, Sought, best, seek, slopes
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.model import Quantity
+from tmm_report.quantity.text import Amount
 from tmm_report.records import dataclass
 
 __all__ = ["Answer", "Both", "Course", "Found", "Given", "Numbers", "solve"]
@@ -77,9 +78,9 @@ class Found:
         unknown, demand = self.given.unknown, self.given.demand
         told = {
             "unknown": unknown.name,
-            "x": f"{self.number:.8g} {unknown.unit}".strip(),
+            "x": Amount(self.number, 8, unknown.unit),
             "name": demand.name,
-            "y": f"{self.chosen.value:.8g} {self.target.quantity.unit}".strip(),
+            "y": Amount(self.chosen.value, 8, self.target.quantity.unit),
             "count": len(self.sought.roots),
         }
         if not self.sound:

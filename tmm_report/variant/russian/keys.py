@@ -125,6 +125,7 @@ displacement: перемещение
 distance: расстояние
 divisions: деления
 drawing_tables: таблицы чертежей
+driver: привод, ведущее звено
 driven: ведомая, ведомый
 driven_speed: скорость ведомого
 driving: ведущий

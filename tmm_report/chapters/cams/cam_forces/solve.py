@@ -25,6 +25,7 @@ from tmm_report.mechanics.cams.follower_laws import FULL_TURN
 from tmm_report.mechanics.cams.forces import Pressed
 from tmm_report.mechanics.cams.turn import Loaded, Parts, Spring
 from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.quantity.text import amounts
 from tmm_report.records import dataclass
 
 Array = Any
@@ -228,8 +229,7 @@ class Found:
         """The main numbers in a sentence."""
         if self.torque is not None:
             text = N_("forces of the cam: greatest moment of the drive %(torque)s N·m, mean %(mean)s N·m")
-            torque = {"torque": f"{self.torque[1].value:.4g}", "mean": f"{self.mean:.4g}"}
-            yield Message(text, torque)
+            yield Message(text, amounts({"torque": self.torque[1].value, "mean": self.mean}))
 
 
 def _ends(panels: Panels, values: Array) -> tuple[Extreme, Extreme] | None:

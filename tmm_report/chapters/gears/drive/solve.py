@@ -24,6 +24,7 @@ from tmm_report.chapters.gears.drive.stages import Stage, doubts_of, run, solve_
 from tmm_report.mechanics.gears.trains import Loads, Train, loads, speeds
 from tmm_report.problems import N_, Message, Problem, ProblemError, doubt, mistake
 from tmm_report.quantity.paper import ACCURACY
+from tmm_report.quantity.text import Amount, amounts
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -193,10 +194,9 @@ class Found:
         """The main numbers in a sentence, and one for each thing that is wrong."""
         text = N_("gear drive: teeth %(teeth)s; ratio %(ratio)s, required %(wanted)s; efficiency %(eta)s")
         numbers = {"ratio": self.geared, "wanted": self.wanted, "eta": self.efficiency}
-        values = {key: f"{value:.5g}" for key, value in numbers.items()}
-        found = [Message(text, {"teeth": self._teeth, **values})]
+        found = [Message(text, {"teeth": self._teeth, **amounts(numbers, 5)})]
         if not self.within:
-            deviation = {"deviation": f"{100 * self.deviation:.3g}"}
+            deviation = {"deviation": Amount(100 * self.deviation, 3)}
             found.append(
                 Message(
                     N_("the ratio of the drive deviates by %(deviation)s %%: more than allowed"), deviation

@@ -40,6 +40,7 @@ from tmm_report.mechanics.lever.stated_masses import Synthesised
 from tmm_report.mechanics.lever.synthesis import FourBar, least
 from tmm_report.problems import N_, Message, Problem, doubt
 from tmm_report.quantity.model import Table
+from tmm_report.quantity.text import Amount, equalities
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -99,10 +100,10 @@ class Found:
     def summary(self) -> Iterator[Message]:
         """The main numbers in a sentence."""
         lengths = [key for key in ("crank", "rod", "rocker", "frame", "offset") if self.s.get(key)]
-        said = ", ".join(
-            f"{self.s.named(key).sign.base} = {1e3 * self.design.taken(key):.5g} mm" for key in lengths
-        )
-        yield Message(N_("synthesis: %(lengths)s"), {"lengths": said})
+        said = {
+            str(self.s.named(key).sign.base): Amount(1e3 * self.design.taken(key), 5, "mm") for key in lengths
+        }
+        yield Message(N_("synthesis: %(lengths)s"), {"lengths": equalities(said)})
 
 
 def design(given: Synthesis) -> Design:

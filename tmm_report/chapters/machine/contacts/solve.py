@@ -27,6 +27,7 @@ from tmm_report.chapters.machine.contacts.given import (
 from tmm_report.chapters.machine.contacts.mistakes import mistakes
 from tmm_report.problems import N_, Message, ProblemError
 from tmm_report.quantity.sheet import Row
+from tmm_report.quantity.text import Amount
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -97,7 +98,7 @@ class Found:
                 said = {
                     "n": item.number,
                     "kind": item.of.name or Message(values.KINDS[item.kind]),
-                    "eta": f"{item.s.number('eta'):.4f}",
+                    "eta": Amount(item.s.number("eta")),
                 }
                 yield Message(N_("friction in pair %(n)s (%(kind)s): efficiency %(eta)s"), said)
 

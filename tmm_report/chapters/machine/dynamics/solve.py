@@ -35,7 +35,7 @@ from tmm_report.mechanics.machine.run.motion_law import Run
 from tmm_report.mechanics.machine.run.steady import Steady
 from tmm_report.problems import N_, Message, Problem, ProblemError, doubt
 from tmm_report.quantity.model import Table
-from tmm_report.quantity.text import number
+from tmm_report.quantity.text import Amount, amounts
 from tmm_report.records import dataclass
 
 __all__ = ["Found", "Given", "solve"]
@@ -188,8 +188,8 @@ class Found:
             right = Message(N_("state a start-up that leads to it, a run-down from it, or leave the key out"))
             yield doubt(text, ("dynamics", "cycles"), right)
 
-    def _said(self, **keys: str) -> dict[str, str]:
-        return {name: number(self.s.number(key), 4, ".") for name, key in keys.items()}
+    def _said(self, **keys: str) -> dict[str, Amount]:
+        return amounts({name: self.s.number(key) for name, key in keys.items()})
 
     def summary(self) -> Iterator[Message]:
         """The main numbers in sentences."""

@@ -17,6 +17,7 @@ from tmm_report.chapters.machine.efficiency.values import Values
 from tmm_report.mechanics.pairs import efficiency_chains
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.model import Table
+from tmm_report.quantity.text import Amount
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -109,7 +110,7 @@ class Found:
     def summary(self) -> Iterator[Message]:
         """The main numbers in a sentence."""
         text = N_("efficiency of the machines joined: %(eta)s; the module to improve first: %(first)s")
-        values = {"eta": f"{self.whole.efficiency:.4f}", "first": self.first.name or self.first.index}
+        values = {"eta": Amount(self.whole.efficiency), "first": self.first.name or self.first.index}
         yield Message(text, values)
 
 

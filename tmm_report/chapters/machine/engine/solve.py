@@ -19,6 +19,7 @@ from tmm_report.chapters.machine.engine.values import Values
 from tmm_report.mechanics.masses import engine_cylinders
 from tmm_report.mechanics.masses.engine_cylinders import Turning
 from tmm_report.problems import N_, Message
+from tmm_report.quantity.text import amounts
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -233,8 +234,8 @@ class Found:
             "second": self.second.force.greatest, "other": self.second.couple.greatest,
         }  # fmt: skip
         scale = self.unit * 1e-9
-        shown = {key: f"{float(size):.4g}" if size > scale else "0" for key, size in sizes.items()}
-        yield Message(text, {"count": len(self.banks), **shown})
+        shown = {key: float(size) if size > scale else 0.0 for key, size in sizes.items()}
+        yield Message(text, {"count": len(self.banks), **amounts(shown)})
 
 
 def solve(given: Given, moving: Moving | None) -> Found:

@@ -26,6 +26,7 @@ from tmm_report.mechanics.machine.flywheel.motion import Integrated, Turning, in
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.formula import Var
 from tmm_report.quantity.model import Table
+from tmm_report.quantity.text import amounts
 from tmm_report.records import dataclass
 
 __all__ = ["Found", "Given", "solve"]
@@ -110,7 +111,7 @@ class Found:
                 "flywheel: none is needed for the unevenness %(delta)s; measured in the motion: %(found)s"
             )
         numbers = {"J": "J_fl", "delta": "delta", "found": "delta_run"}
-        yield Message(text, {name: f"{self.s.number(key):.4g}" for name, key in numbers.items()})
+        yield Message(text, amounts({name: self.s.number(key) for name, key in numbers.items()}))
 
 
 def solve(given: Given, moving: Moving | None) -> Found:

@@ -25,6 +25,7 @@ from tmm_report.mechanics.masses.counterweights import pivoted
 from tmm_report.mechanics.masses.slider_harmonics import SliderCrank, slider_cranks
 from tmm_report.problems import N_, Message, ProblemError, mistake
 from tmm_report.quantity.model import Quantity
+from tmm_report.quantity.text import Amount
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -87,7 +88,7 @@ class Found:
         if self.signals:
             worst = max(100 * signal.left for signal in self.signals)
             text = N_("harmonics up to order %(order)s leave at most %(left)s %% of a motion")
-            yield Message(text, {"order": self.given.highest, "left": f"{worst:.3g}"})
+            yield Message(text, {"order": self.given.highest, "left": Amount(worst, 3)})
 
 
 def solve(given: Given, moving: Moving | None) -> Found:

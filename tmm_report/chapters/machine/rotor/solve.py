@@ -20,6 +20,7 @@ from tmm_report.mechanics.masses import rotor
 from tmm_report.mechanics.masses.rotor import Polygon, polygon
 from tmm_report.problems import N_, Message
 from tmm_report.quantity.paper import round_scale
+from tmm_report.quantity.text import Amount, amounts
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -185,11 +186,11 @@ class Found:
     def summary(self) -> Iterator[Message]:
         """The main numbers in sentences."""
         text = N_("rotor: unbalance %(before)s kg·m")
-        yield Message(text, {"before": f"{abs(self.resultant):.4g}"})
+        yield Message(text, {"before": Amount(abs(self.resultant))})
         text = N_("weight in plane %(plane)s: %(mass)s kg at the radius %(radius)s mm, %(angle)s°")
         for one in filter(lambda one: one.product, self.corrections):
-            sizes = {"mass": f"{one.mass:.4g}", "radius": f"{1e3 * one.radius:.4g}"}
-            yield Message(text, {"plane": one.name, **sizes, "angle": f"{np.degrees(one.angle):.1f}"})
+            sizes = {"mass": one.mass, "radius": 1e3 * one.radius, "angle": np.degrees(one.angle)}
+            yield Message(text, {"plane": one.name, **amounts(sizes)})
 
 
 def solve(given: Given, moving: Moving | None) -> Found:

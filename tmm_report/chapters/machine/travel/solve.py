@@ -23,7 +23,7 @@ from tmm_report.mechanics.machine.reduced import Plant
 from tmm_report.mechanics.machine.run.law import run
 from tmm_report.mechanics.machine.run.motion_law import Goal, NeverReached, Run
 from tmm_report.problems import N_, Message, ProblemError, mistake
-from tmm_report.quantity.text import number
+from tmm_report.quantity.text import amounts, number
 from tmm_report.records import dataclass
 
 Array = Any
@@ -99,8 +99,8 @@ class Found:
         text = N_("motion of the main link: %(t)s s, at its end %(v)s m/s")
         if self.stops:
             text = N_("motion of the main link: %(t)s s, it stops after %(x)s m")
-        values = {key: _text(self.s.number(of)) for key, of in (("t", "t_end"), ("v", "v_end"), ("x", "way"))}
-        yield Message(text, {key: one for key, one in values.items() if f"%({key})s" in text})
+        values = {"t": self.s.number("t_end"), "v": self.s.number("v_end"), "x": self.s.number("way")}
+        yield Message(text, amounts({key: one for key, one in values.items() if f"%({key})s" in text}))
 
 
 def solve(given: Given, moving: Moving | None) -> Found:

@@ -21,6 +21,7 @@ from tmm_report.chapters.machine.vibration.values import Values
 from tmm_report.mechanics.masses import vibration as vib
 from tmm_report.mechanics.masses.vibration import Body
 from tmm_report.problems import N_, Message
+from tmm_report.quantity.text import Amount, amounts
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -141,7 +142,7 @@ class Found:
                 "vibration: alone the machine is in resonance without damping at %(natural)s rad/s; what is added to "
                 "it bounds its motion"
             )
-            yield Message(text, {"natural": f"{self.natural:.4g}"})
+            yield Message(text, {"natural": Amount(self.natural)})
             return
         text = N_(
             "vibration: natural frequency %(natural)s rad/s, amplitude %(amplitude)s mm, transmissibility %(ratio)s"
@@ -153,11 +154,10 @@ class Found:
             )
         size = self.s["amplitude"].number("" if self.given.turning else "mm")
         ratio = self.s.number(ratio_key(self.given))
-        numbers = {"natural": f"{self.natural:.4g}", "amplitude": f"{size:.4g}", "ratio": f"{ratio:.3g}"}
-        yield Message(text, numbers)
+        yield Message(text, amounts({"natural": self.natural, "amplitude": size, "ratio": ratio}))
 
     def _freely(self) -> Iterator[Message]:
-        numbers = {"natural": f"{self.natural:.4g}", "zeta": f"{self.zeta:.3g}"}
+        numbers = {"natural": self.natural, "zeta": self.zeta}
         text = N_(
             "free vibration: natural frequency %(natural)s rad/s, damping ratio %(zeta)s: it creeps back without "
             "swinging"
@@ -168,8 +168,8 @@ class Found:
                 "%(decrement)s"
             )
             decrement = self.s.get("decrement") or 0.0
-            numbers |= {"period": f"{self.s.number('period'):.4g}", "decrement": f"{decrement:.4g}"}
-        yield Message(text, numbers)
+            numbers |= {"period": self.s.number("period"), "decrement": decrement}
+        yield Message(text, amounts(numbers))
 
 
 def ratio_key(given: Given) -> str:

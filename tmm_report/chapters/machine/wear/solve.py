@@ -14,6 +14,7 @@ from tmm_report.chapters.machine.wear.given import Given
 from tmm_report.chapters.machine.wear.guide import GuideFound
 from tmm_report.chapters.machine.wear.pivot import PivotFound
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
+from tmm_report.quantity.text import amounts
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -34,11 +35,11 @@ class Found:
         """The main numbers in sentences."""
         for one in self.guides:
             text = N_("wear of guide %(name)s: up to %(depth)s µm after %(cycles)s cycles")
-            values = {"depth": f"{1e6 * one.worst.greatest:.4g}", "cycles": f"{one.given.cycles:.4g}"}
+            values = amounts({"depth": 1e6 * one.worst.greatest, "cycles": one.given.cycles})
             yield Message(text, {"name": one.given.guide, **values})
         for of in self.pivots:
             text = N_("wear of pivot %(name)s: up to %(depth)s µm after %(cycles)s cycles")
-            values = {"depth": f"{1e6 * of.worst.greatest:.4g}", "cycles": f"{of.given.cycles:.4g}"}
+            values = amounts({"depth": 1e6 * of.worst.greatest, "cycles": of.given.cycles})
             yield Message(text, {"name": of.given.pivot, **values})
 
 

@@ -12,6 +12,7 @@ from tmm_report.chapters.cams.cam.solve.found import Cams, pair
 from tmm_report.chapters.cams.cam.solve.making import making
 from tmm_report.chapters.cams.cam.solve.turn import whole_turn
 from tmm_report.problems import N_, Message
+from tmm_report.quantity.text import amounts
 from tmm_report.records import dataclass
 
 LETTERS = ("O", "C")
@@ -37,9 +38,9 @@ class Found(Cams):
             "least radius of curvature %(rho)s mm"
         )
         for one in self.cams:
-            rise, back = (f"{np.degrees(end.value):.2f}" for end in (one.rise, one.back))
-            sizes = {"base": f"{1e3 * one.cam.base:.4g}", "rho": f"{1e3 * one.least.value:.4g}"}
-            yield Message(text, {"rise": rise, "back": back, **sizes})
+            rise, back = (float(np.degrees(end.value)) for end in (one.rise, one.back))
+            sizes = {"base": 1e3 * one.cam.base, "rho": 1e3 * one.least.value}
+            yield Message(text, amounts({"rise": rise, "back": back, **sizes}))
 
 
 def solve(given: Given) -> Found:

@@ -14,6 +14,7 @@ from tmm_report.chapters.gears.drive.power.given import Given, Motor
 from tmm_report.chapters.gears.drive.power.plan import Plan
 from tmm_report.mechanics.machine import power_chain
 from tmm_report.problems import N_, Message, Problem, doubt
+from tmm_report.quantity.text import amounts
 from tmm_report.records import dataclass
 
 Array = Any
@@ -87,9 +88,8 @@ class Found:
         if self.motor is None or self.plan.required is None:
             return []
         text = N_("motor %(name)s: %(power)s kW, %(needed)s kW are needed")
-        numbers = {"power": self.motor.power, "needed": self.plan.required}
-        said = {key: f"{number / 1000:.4g}" for key, number in numbers.items()}
-        return [Message(text, {"name": self.motor.name, **said})]
+        numbers = {"power": self.motor.power / 1000, "needed": self.plan.required / 1000}
+        return [Message(text, {"name": self.motor.name, **amounts(numbers)})]
 
     def doubts(self) -> Iterator[Problem]:
         """A motor that is stated and too weak."""

@@ -32,6 +32,7 @@ from tmm_report.mechanics.gears.compound.rows import (
 )
 from tmm_report.mechanics.gears.trains import Train, speeds
 from tmm_report.problems import N_, Message, Problem, ProblemError, doubt, mistake
+from tmm_report.quantity.text import Amount, equalities
 from tmm_report.records import dataclass
 
 Given = GearTrain
@@ -149,12 +150,12 @@ class Found:
         teeth = ", ".join(f"{m.name}: {m.teeth}" for m in self.train.members if m.teeth)
         if self.single and self.runs:
             text = N_("gear train: teeth %(teeth)s; ratio %(ratio)s; efficiency %(eta)s")
-            values = {"teeth": teeth, "ratio": f"{self.ratio:.5g}", "eta": f"{self.efficiency:.4g}"}
+            values = {"teeth": teeth, "ratio": Amount(self.ratio, 5), "eta": Amount(self.efficiency)}
         else:
             text = N_("gear train: teeth %(teeth)s; speeds %(speeds)s")
             ends = (*self.given.input, *self.given.output)
-            turned = ", ".join(f"n_{name} = {self.speed[name] * 30 / math.pi:.5g} rpm" for name in ends)
-            values = {"teeth": teeth, "speeds": turned}
+            turned = {f"n_{name}": Amount(self.speed[name] * 30 / math.pi, 5, "rpm") for name in ends}
+            values = {"teeth": teeth, "speeds": equalities(turned)}
         yield Message(text, values)
         if self.locks:
             yield Message(N_("the train is self-locking: it cannot be driven from its input"))

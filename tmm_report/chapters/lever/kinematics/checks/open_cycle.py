@@ -42,6 +42,11 @@ class Gap:
     jam: Message | None = None
 
     @property
+    def path(self) -> tuple[str, ...]:
+        """The link that is too short or too long, in the file."""
+        return ("mechanism", "links", self.links[0])
+
+    @property
     def text(self) -> Message:
         """E.g. "rod AB = 50 mm cannot reach guide x for 30° < φ < 150°; it needs at least 100 mm"."""
         if self.jam is not None:
@@ -54,11 +59,10 @@ class Gap:
     @property
     def problem(self) -> Problem:
         """The group that cannot be assembled at all, or at no position of the table, as a mistake."""
-        path = ("mechanism", "links", self.links[0])
         if sum(end - start for start, end in self.intervals) >= FULL_TURN - 1e-9:
-            return mistake(N_("%(why)s at any position"), path, self.cure, why=self.why)
+            return mistake(N_("%(why)s at any position"), self.path, self.cure, why=self.why)
         text = N_("no position of the table, or none of the diagrams, exists: %(why)s for %(where)s")
-        return mistake(text, path, self.cure, why=self.why, where=angles(self.intervals))
+        return mistake(text, self.path, self.cure, why=self.why, where=angles(self.intervals))
 
 
 def gaps(cycle: Cycle) -> tuple[Gap, ...]:

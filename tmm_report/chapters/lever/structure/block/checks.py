@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
 from tmm_report.chapters.lever.structure.block import build, cam_checks, driving
@@ -24,7 +24,7 @@ from tmm_report.mechanics.lever.stated_masses import Synthesised
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
 from tmm_report.quantity.units import WrongValue
 from tmm_report.records import dataclass
-from tmm_report.variant.errors import near
+from tmm_report.variant.errors import by_another_name, near
 from tmm_report.variant.model import Read
 from tmm_report.yamlread import Path
 
@@ -124,7 +124,7 @@ def check(mechanism: m.MechanismModel, read: Read) -> Found:
     yield from _complete(read)
     synthesis = offered(read)
     yield from _frame(mechanism, synthesis)
-    yield from _links(mechanism, known, synthesis)
+    yield from _links(mechanism, known, synthesis, read)
     yield from _called_alike(known)
     yield from _guides(mechanism, known, synthesis)
     yield from _slides(mechanism, known)
@@ -150,12 +150,18 @@ def _complete(read: Read) -> Found:
     if _MECHANISM in read.broken:
         return
     for key, example in _PARTS.items():
-        if not written.get(key) and (*_MECHANISM, key) not in read.broken:
+        told = (*_MECHANISM, key) in read.broken or _elsewhere(key, _MECHANISM, read)
+        if not written.get(key) and not told:
             right = Message(N_("for example, %(example)s"), {"example": f"{key}: {example}"})
             yield mistake(N_("the key %(key)s is missing"), (*_MECHANISM, key), right, key=key)
     if FRAME in _mapping(written.get("links")):
         right = Message(N_("call it otherwise"))
         yield mistake(N_("0 is the frame and cannot be a moving link"), (*_MECHANISM, "links", FRAME), right)
+
+
+def _elsewhere(key: str, path: Path, read: Read) -> bool:
+    """Whether a key of the part at a path stands there under another name, which is told."""
+    return by_another_name(key, [str(one[-1]) for one in read.broken if one[:-1] == path])
 
 
 def _called_alike(known: Names) -> Found:
@@ -208,7 +214,7 @@ def _known_frame(mechanism: m.MechanismModel, synthesis: Taken) -> dict[str, com
         return {name: complex(1e3 * k, 1e3) for k, name in enumerate(mechanism.frame)}
 
 
-def _links(mechanism: m.MechanismModel, known: Names, synthesis: Taken) -> Found:
+def _links(mechanism: m.MechanismModel, known: Names, synthesis: Taken, read: Read) -> Found:
     geometry = Geometry(mechanism.links, _known_frame(mechanism, synthesis), synthesis)
     weights = Weights(geometry)
     for name, link in mechanism.links.items():
@@ -217,10 +223,15 @@ def _links(mechanism: m.MechanismModel, known: Names, synthesis: Taken) -> Found
         yield from _weight(name, weights, path)
         if link.mass_centre is not None:
             yield from _not_on(link.mass_centre, name, (*path, "mass_centre"), known)
-        elif link.mass and len(link.points) > 1 and len(known.points[name]) == len(link.points):
+        elif _has_no_centre(link, known.points[name]) and not _elsewhere("mass_centre", path, read):
             yield mistake(N_("the link has a mass and no mass centre"), (*path, "mass"), _centre(name, known))
         if isinstance(link.inertia, m.InertiaModel):
             yield from _inertia(name, weights, link.inertia, (*path, "inertia"), known)
+
+
+def _has_no_centre(link: m.LinkModel, points: Collection[str]) -> bool:
+    """Whether a link has a mass, and it is not known where; that of a link of one point is in it."""
+    return bool(link.mass) and 1 < len(link.points) == len(points)
 
 
 def _centre(name: str, known: Names) -> Message:

@@ -40,6 +40,7 @@ from tmm_report.mechanics.lever.motion import Motion
 from tmm_report.mechanics.masses.counterweights import shaking, smallest_circle
 from tmm_report.mechanics.masses.slider_harmonics import SliderCrank, slider_cranks
 from tmm_report.problems import N_, Message, ProblemError, mistake
+from tmm_report.quantity.text import Amount
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -101,7 +102,7 @@ class Found:
         if (best := self.best()) is not None and greatest:
             text = N_("greatest shaking force %(force)s N; %(percent)s %% of it is left at best")
             left = 0.0 if self.complete(best) else 100 * best.force_max.value / greatest
-            yield Message(text, {"force": f"{greatest:.5g}", "percent": f"{left:.3g}"})
+            yield Message(text, {"force": Amount(greatest, 5), "percent": Amount(left, 3)})
 
 
 def solve(given: Given, moving: Moving | None) -> Found:

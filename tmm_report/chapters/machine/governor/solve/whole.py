@@ -12,8 +12,9 @@ from tmm_report.chapters.machine.governor.solve import in_loop as loop
 from tmm_report.chapters.machine.governor.solve.brake import BrakeFound
 from tmm_report.chapters.machine.governor.solve.by_itself import DirectFound
 from tmm_report.chapters.machine.governor.solve.in_loop import LoopFound
-from tmm_report.chapters.machine.governor.solve.mistakes import rpm
 from tmm_report.problems import N_, Message
+from tmm_report.quantity.text import amounts
+from tmm_report.quantity.units import factor
 from tmm_report.records import dataclass
 
 if TYPE_CHECKING:
@@ -42,8 +43,8 @@ class Found:
             yield Message(said[not self.loop.stable])
         if self.brake is not None:
             text = N_("centrifugal brake: contact at %(contact)s rpm, held speed %(held)s rpm")
-            values = {key: rpm(self.brake.s.number(key)) for key in ("contact", "held")}
-            yield Message(text, values)
+            speeds = {key: self.brake.s[key].number("rpm") for key in ("contact", "held")}
+            yield Message(text, amounts(speeds))
 
 
 FALLS = {
@@ -57,8 +58,8 @@ FALLS = {
 
 def _of_direct(found: DirectFound) -> Message:
     text = N_("centrifugal governor: %(low)s … %(high)s rpm, non-uniformity %(delta)s")
-    low, high = map(rpm, found.ends)
-    return Message(text, {"low": low, "high": high, "delta": f"{found.s.number('delta'):.4g}"})
+    low, high = (omega * factor("rad/s", "rpm") for omega in found.ends)
+    return Message(text, amounts({"low": low, "high": high, "delta": found.s.number("delta")}))
 
 
 def solve(given: Given, moving: Moving | None) -> Found:
