@@ -86,7 +86,8 @@ def _polygon(
 def _components(cycle: Cycle) -> Iterator[tuple[str, Array]]:
     """Of the reactions that are found by moments about a joint, the parts across the arm to it and along it."""
     for by, on, arm in _arms(cycle):
-        force = cycle.vectors[reaction(by, on).key]
+        if (force := cycle.vectors.get(reaction(by, on).key)) is None:  # the variant states no loads
+            continue
         normal = (force * arm.conj()).real * arm / np.abs(arm) ** 2
         yield reaction_part(by, on, "n").key, normal
         yield reaction_part(by, on, "t").key, force - normal
