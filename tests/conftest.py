@@ -15,9 +15,9 @@ from tmm_report.loading import load
 
 pytest_plugins = ["cpu", "exhaustive"]
 
-# few examples and new ones, so that something new is found now and then; or many, the same at every run
+# few examples and new ones, so that something new is found now and then; or more, the same at every run
 settings.register_profile("dev", deadline=None, max_examples=15)
-settings.register_profile("ci", deadline=None, max_examples=60, derandomize=True)
+settings.register_profile("ci", deadline=None, max_examples=30, derandomize=True)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
 
 

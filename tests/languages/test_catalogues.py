@@ -17,7 +17,7 @@ from catalogues import messages as tool
 from catalogues import texts
 from conftest import read, solved
 from exhaustive import many
-from notes import NAMES, STATED, VARIANTS, Asked, asked_by, asking, render
+from notes import NAMES, SOME, STATED, VARIANTS, Asked, asked_by, asking, render
 
 from tmm_report import i18n, load, solve
 from tmm_report.commands.grade import run as grade
@@ -58,6 +58,13 @@ def test_what_a_note_says_stands_in_note(name, asked):
     figures(solved(name), Translator("ru"))
     assert strangers(asked.union(*(asked_by(name, fmt, "ru") for fmt in ("html", "tex", "json")))) == []
     assert len(asked_by(name, "html", "ru")) > 50  # the shortest note asks for some hundred
+
+
+@pytest.mark.exhaustive
+def test_some_notes_say_nearly_all():
+    """A chapter more, and one of its notes belongs to them."""
+    said = {name: asked_by(name, "html", "ru") for name in NAMES}
+    assert len(set().union(*(said[name] for name in SOME))) > 0.9 * len(set().union(*said.values()))
 
 
 @pytest.mark.parametrize("name", QUICK)

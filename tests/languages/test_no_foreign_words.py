@@ -9,7 +9,7 @@ from functools import cache
 import pytest
 from catalogues import messages
 from exhaustive import many
-from notes import NAMES, VARIANTS, note, static
+from notes import VARIANTS, note, static
 from spoken import EVERY, notes_in
 
 from tmm_report.languages import LANGUAGES
@@ -21,7 +21,7 @@ SIGNS = {*"sin cos tan tg arctg arcsin arccos inv max min exp sign const mini".s
 WORD = re.compile(r"[A-Za-z\u0400-\u052f]{3,}")
 CAPITALS = re.compile(r"[A-Z]+")  # points, pairs of a group, Roman numbers
 QUICK = ["compressor-uk", "compressor-kk", "hoist_drive-kk"]
-PAGES = notes_in([code for code in EVERY if not LANGUAGES[code].ids], NAMES, QUICK)
+PAGES = notes_in([code for code in EVERY if not LANGUAGES[code].ids], QUICK)
 
 
 def seen(page: str) -> set[str]:

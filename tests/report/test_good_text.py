@@ -15,7 +15,7 @@ from xml.etree.ElementTree import Element
 import pytest
 from conftest import solved
 from exhaustive import many
-from notes import NAMES, note
+from notes import note
 from spoken import EVERY, LAID_OUT, notes_in
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "page"))
@@ -33,7 +33,7 @@ from tmm_report.report.sources import SOURCES
 
 CHAPTERS = Path(__file__).resolve().parents[2] / "templates" / "chapters"
 QUICK = ["compressor-ru", "governor_servo-en"]
-NOTES, WORDED = (notes_in(languages, NAMES, QUICK) for languages in (LAID_OUT, EVERY))
+NOTES, WORDED = (notes_in(languages, QUICK) for languages in (LAID_OUT, EVERY))
 JOINER = "\N{WORD JOINER}"
 # a note after another, each read once
 each = pytest.mark.parametrize("name", many(NOTES, len(QUICK)), scope="module")

@@ -76,7 +76,7 @@ def drawn(seed: int, kind: str | None = None, law: str | None = None) -> Loaded:
 
 
 X = np.linspace(0.003, FULL_TURN - 0.004, 181)
-SEEDS = many(range(60), 10)
+SEEDS = many(range(20), 6)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
