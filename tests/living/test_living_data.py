@@ -12,9 +12,9 @@ from functools import cache
 
 import numpy as np
 import pytest
-from conftest import read, solved
+from conftest import LEVERS, read, solved
 from exhaustive import many
-from notes import NAMES, note, static
+from notes import note, static
 from payloads import PAYLOADS
 
 from tmm_report import render, solve
@@ -28,9 +28,9 @@ from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
 
-LEVERS = [name for name in NAMES if read(name).lever is not None]
-QUICK = [name for name in ("compressor", "cam_press", "quick_return") if name in LEVERS]
-ORDERED = [*QUICK, *(name for name in LEVERS if name not in QUICK)]
+NAMES = [path.stem for path in LEVERS]
+QUICK = [name for name in ("compressor", "cam_press", "quick_return") if name in NAMES]
+ORDERED = [*QUICK, *(name for name in NAMES if name not in QUICK)]
 
 
 @cache

@@ -44,8 +44,9 @@ def found(name: str) -> dict:
     return json.loads(render(solve(variant), "json")["results.json"])
 
 
+@cache
 def answers(name: str) -> dict:
-    return yaml.safe_load((HERE / f"{name}.answers.yaml").read_text("utf-8"))
+    return yaml.load((HERE / f"{name}.answers.yaml").read_text("utf-8"), yaml.CSafeLoader)
 
 
 def columns(document: dict, table: str) -> dict[str, list]:
