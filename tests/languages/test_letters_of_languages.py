@@ -19,9 +19,11 @@ from exhaustive import many
 from notes import program, render, static
 from typesetting import set_by_tex, set_by_typst
 
-from tmm_report import solve
+from tmm_report import sheets, solve
 from tmm_report.course import Results
+from tmm_report.figures.sheets.cad import dxf
 from tmm_report.figures.sheets.strokes import glyph
+from tmm_report.i18n import Translator
 from tmm_report.loading import loads
 from tmm_report.variant import new
 
@@ -29,6 +31,7 @@ CODES = ["kk", "uk"]
 LETTERS = "әғқңөұүһі ӘҒҚҢӨҰҮҺІ їєґ ЇЄҐ ёыэъ ЁЫЭЪ iI"
 NAME = "Әлімбекұлы І. Ї."
 STUDENTS = re.compile(r"(?m)^(  student: ).*$")
+CAPTION = re.compile(r"(?s)<figcaption.*?</figcaption>")
 WORD = re.compile(r"[^\W\d_]{4,}")
 HYPHENS = {"kk": "", "uk": "-\u2010\u00ad"}  # behind which a line ends within a word
 in_each = pytest.mark.parametrize("code", CODES)
@@ -116,13 +119,22 @@ def test_word(code):
 
 
 @in_one_or_each
-def test_sheets_for_cad(code):
+def test_sheets(code):
+    """Their texts, all letters of which have strokes, are those of the DXF; titles and stamp have the words of the
+    language."""
     ezdxf = pytest.importorskip("ezdxf")
-    files = render(results(code), "sheets", code)
-    drawn = [ezdxf.read(io.StringIO(files[name].decode())) for name in files if name.endswith(".dxf")]
-    said = " ".join(one.dxf.text for drawing in drawn for one in drawing.modelspace().query("TEXT"))
+    drawn = sheets.composed(results(code), Translator(code))
+    runs = [run.text for sheet in drawn for letters in sheet.letters for run in letters.runs]
+    unknown = glyph("\N{SNOWMAN}")
+    assert not {char for text in runs for char in text if glyph(char) == unknown}
+    read = [ezdxf.read(io.StringIO(dxf(sheet).decode())) for sheet in drawn]
+    assert [one.dxf.text for each in read for one in each.modelspace().query("TEXT")] == runs
+    said = " ".join(runs)
     stamps = {"kk": ("Парақтар", "Масштабы", "Әзірлеген"), "uk": ("Аркушів", "Масштаб", "Розробив")}
-    assert drawn and all(word in said for word in stamps[code]), said[:2000]
+    captions = re.sub(r"(?s)<(math|svg).*?</\1>|<[^>]*>", " ", " ".join(CAPTION.findall(static(page(code)))))
+    numbered = {"kk": "сурет", "uk": "Рисунок"}[code]
+    titles = {word for word in WORD.findall(html.unescape(captions)) if word != numbered}
+    assert {word for word in (*stamps[code], *titles) if word not in said} == set()
 
 
 def test_letters_of_sheets_are_drawn_each_by_its_own_strokes():

@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from functools import cache
-from itertools import chain
+from itertools import chain, pairwise
 
+import numpy as np
 from conftest import solved
 
 from tmm_report import sheets
 from tmm_report.commands.files import translator
-from tmm_report.figures.primitives import Box
-from tmm_report.figures.sheets.sheet import Block, Sheet
+from tmm_report.figures.crowded import cut, overlapped
+from tmm_report.figures.primitives import Box, Leader, Path
+from tmm_report.figures.sheets.block import Block
+from tmm_report.figures.sheets.sheet import Sheet
+from tmm_report.figures.sheets.strokes import LINE, Letters
+from tmm_report.sheets.pictures import Figure
+
+HAIR = 0.2  # mm: letters of 3.5 mm in rows of 5 mm come as near
 
 # of all five kinds, of several sheets, alone, without a lever mechanism
 VARIANTS = (
@@ -43,6 +51,74 @@ def ink(block: Block) -> Box:
     points = list(chain.from_iterable(chain(strokes, letters)))
     x, y = [z.real for z in points], [z.imag for z in points]
     return min(x), min(y), max(x), max(y)
+
+
+def form_letters(sheet: Sheet) -> tuple[Letters, ...]:
+    return sheet.frame[1]
+
+
+def boxes(one: Letters) -> Iterator[Box]:
+    """What each run of letters takes with its lines, by all of their points, but for a hair."""
+    half = LINE * one.tall / 2 - HAIR
+    for run in one.runs:
+        alone = Letters(0j, (run.text,), run.tall, squeeze=one.squeeze)
+        (start,) = (found.at for found in alone.runs)
+        points = [one.place(run.at + z - start) for stroke in alone.path.strokes for z in stroke]
+        x, y = [z.real for z in points], [z.imag for z in points]
+        yield min(x) - half, min(y) - half, max(x) + half, max(y) + half
+
+
+def written(one: Letters) -> str:
+    return "".join(run.text for run in one.runs)
+
+
+def touching(letters: Sequence[Letters]) -> Iterator[tuple[str, str]]:
+    """Texts of which some letters lie on those of another."""
+    taken = [(k, box) for k, one in enumerate(letters) for box in boxes(one)]
+    of = np.array([k for k, _ in taken])
+    upon = overlapped(*(np.array([box for _, box in taken]).reshape(-1, 4),) * 2)
+    for k, other in {(of[i], of[j]) for i, j in np.argwhere(upon & (of[:, None] < of))}:
+        yield written(letters[k]), written(letters[other])
+
+
+def crossed(block: Block) -> list[str]:
+    """Texts through which a line goes, a leader among them, a leader among them."""
+    seen = [
+        item for item in block.items if getattr(item, "pen", None) or getattr(item, "fill", "") == "black"
+    ]
+    strokes = [stroke for item in seen for stroke in item.outline()]
+    lines = np.array([pair for stroke in strokes for pair in pairwise(stroke)], complex).reshape(-1, 2)
+    found = []
+    for one in block.letters:
+        if any(cut(np.array(box), lines).any() for box in boxes(one)):
+            found.append(written(one))
+    return found
+
+
+def figures_of(name: str) -> Iterator[tuple[Figure, float, Block]]:
+    """Every picture of the note, how many times as large it is on its sheet, and it there."""
+    results = solved(name)
+    tr = translator(results.variant)
+    titles = {
+        one.titled(times, tr): (one, times)
+        for one in sheets.figures(results, tr)
+        for times in (1.0, *one.larger)
+    }
+    for sheet in sheets_of(name):
+        for block in sheet.blocks:
+            yield (*titles[block.title], block)
+
+
+def lines_of(figure: Figure, block: Block) -> Iterator[tuple[Path, Path]]:
+    """Lines of a picture in the note and on its sheet, without those of a grid; of a graph its curves."""
+    old, new = ([one for one in items if isinstance(one, Path) and not isinstance(one, Leader)]
+                for items in (figure.drawing.items, block.items))  # fmt: skip
+    if figure.diagram:
+        old = [one for one in old if one.held]
+        shapes = [[len(stroke) for stroke in one.strokes] for one in old]
+        new = [one for one in new if [len(stroke) for stroke in one.strokes] in shapes]
+    pairs = zip(old, new, strict=True)
+    return (pair for pair in pairs if pair[0].pen is None or pair[0].pen.colour != "pale")
 
 
 def said(block: Block) -> str:

@@ -11,21 +11,36 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from conftest import solved
-from drawn import VARIANTS, files_of, ink, said, sheets_of
+from drawn import (
+    VARIANTS,
+    crossed,
+    figures_of,
+    files_of,
+    form_letters,
+    ink,
+    lines_of,
+    said,
+    sheets_of,
+    touching,
+)
 from notes import note
 
 from tmm_report import render, sheets
 from tmm_report.commands.files import translator
 from tmm_report.figures.drawing import Drawing, Path, Pen, Text, line
+from tmm_report.figures.lettering import Symbol
+from tmm_report.figures.sheets.block import Block
 from tmm_report.figures.sheets.form import Said, form, within
 from tmm_report.figures.sheets.sheet import FORMATS, Sheet, placed
 from tmm_report.figures.sheets.strokes import Letters, glyph
 from tmm_report.i18n import Translator
 from tmm_report.problems import ProblemError
+from tmm_report.quantity.paper import ROUND
 from tmm_report.report.paper.frames import WORDS
 
 SVG = "{http://www.w3.org/2000/svg}"
 WORDS_HERE = {word: word for word in (*WORDS, "Масса", "Масштаб", "Формат")}
+PER_MM = re.compile(r"= ([\d,]+)[^=]*?/мм")
 A1 = next(one for one in FORMATS if one.name == "A1")
 
 
@@ -44,6 +59,25 @@ def test_pictures_stand_apart_within_the_frame_and_off_the_title_block(name):
             assert left > 20 and bottom > 5 and right < wide - 5 and top < tall - 5
             assert apart((left, bottom, right, top), (wide - 5 - 185, 5, wide - 5, 5 + 55))
             assert apart((left, bottom, right, top), (20, tall - 5 - 14, 20 + 70, tall - 5))
+
+
+@pytest.mark.parametrize("name", VARIANTS)
+def test_letters_lie_neither_on_others_nor_on_lines(name):
+    """By the strokes of each run of letters: a symbol and its index are two."""
+    wrong = []
+    for sheet in sheets_of(name):
+        for letters in (form_letters(sheet), *(block.letters for block in sheet.blocks)):
+            wrong += [f"{sheet.name}: {one} lies on {other}" for one, other in touching(letters)]
+        for block in sheet.blocks:
+            wrong += [f"{sheet.name}: {one} of {said(block)} lies on a line" for one in crossed(block)]
+    assert not wrong, "\n".join(wrong)
+
+
+def test_letters_that_touch_are_seen():
+    one, other = Letters(0j, (Symbol("v", "BA"),), 5.0), Letters(5 - 2j, ("A",), 3.5)
+    assert list(touching([one, other])) and not list(touching([one, other.moved(4 + 0j)]))
+    assert crossed(Block((line(-1 - 3j, 20 - 3j),), (one,), ()))
+    assert not crossed(Block((line(-1 - 6j, 20 - 6j),), (one,), ()))
 
 
 @pytest.mark.parametrize("name", VARIANTS)
@@ -103,26 +137,30 @@ def _ends(group) -> tuple[complex, complex]:
 
 
 @pytest.mark.parametrize("name", VARIANTS)
-def test_pictures_are_as_large_as_in_the_note_or_by_a_ratio_of_the_standard(name):
-    """The printed scale and the drawn length go together: of every picture that is larger, by the circles and lines."""
-    results = solved(name)
-    tr = translator(results.variant)
-    figures = {one.titled(1.0, tr): one for one in sheets.figures(results, tr)}
-    for block in (block for sheet in sheets_of(name) for block in sheet.blocks):
-        times = next(
-            times
-            for times in (1.0, 2.0, 2.5, 4.0, 5.0)
-            for one in figures.values()
-            if one.titled(times, tr) == block.title
-        )
-        figure = next(one for one in figures.values() if one.titled(times, tr) == block.title)
-        drawn = [item for item in figure.drawing.items if not isinstance(item, Text)]
-        for old, new in zip(drawn, block.items, strict=True):
-            if isinstance(old, Path):
-                lengths = [
-                    [abs(b - a) for stroke in one.strokes for a, b in pairwise(stroke)] for one in (old, new)
-                ]
-                assert lengths[1] == pytest.approx([times * x for x in lengths[0]], abs=1e-6)
+def test_pictures_are_as_large_as_in_the_note_or_at_another_round_scale(name):
+    """The printed scale and the drawn length go together: of every picture, by all of its lines but those of a grid;
+    of a graph by its curves."""
+    tr = translator(solved(name).variant)
+    for figure, times, block in figures_of(name):
+        told = [float(text.replace(",", ".")) for text in PER_MM.findall(said(block))]
+        noted = [float(text.replace(",", ".")) for text in PER_MM.findall(said(figure.block(1.0, tr)))]
+        assert told == pytest.approx([one / times for one in noted])
+        if all(one in ROUND for one in map(digits, noted)):
+            assert all(one in ROUND for one in map(digits, told))
+        assert times == 1 or told
+        if not figure.diagram:
+            texts = [item.parts for item in figure.drawing.items if isinstance(item, Text)]
+            lettered = [one.parts for one in block.letters]
+            assert all(lettered.count(one) >= texts.count(one) for one in texts)
+        for old, new in lines_of(figure, block):
+            lengths = [
+                [abs(b - a) for stroke in one.strokes for a, b in pairwise(stroke)] for one in (old, new)
+            ]
+            assert lengths[1] == pytest.approx([times * x for x in lengths[0]], abs=1e-6)
+
+
+def digits(value: float) -> float:
+    return float(f"{value:.5e}".partition("e")[0])
 
 
 @pytest.mark.parametrize("name", VARIANTS)
@@ -295,7 +333,15 @@ def test_names_of_the_variant_stand_in_the_title_block():
     changed = replace(results, variant=replace(results.variant, title=title))
     for sheet in sheets.composed(changed, translator(results.variant)):
         written = {"".join(map(str, one.parts)) for one in sheet.frame[1]}
-        assert {"ТММ.07.00.000", "Ильина А. А.", f"Лист {sheet.said.number}", "Листов 4"} <= written
+        assert {"ТММ.07.00.000", "Ильина А. А.", f"Лист {sheet.said.number}"} <= written
+        # GOST 2.104: how many there are says the first
+        assert ("Листов 4" if sheet.said.number == 1 else "Листов") in written
+
+
+def test_a_sheet_alone_has_no_number():
+    _, letters = form(replace(stamped("Тема"), count=1))
+    written = {"".join(map(str, one.parts)) for one in letters}
+    assert {"Лист", "Листов 1"} <= written and "Лист 1" not in written
 
 
 @pytest.mark.parametrize("name", ("compressor", "press", "shaper_project"))
@@ -306,9 +352,9 @@ def test_no_diagram_takes_the_room_of_a_plan(name):
     figures = sheets.figures(results, tr)
     for sheet in sheets_of(name):
         shown = {block.title: block for block in sheet.blocks}
-        same = [one for one in figures if one.scaled and not one.diagram and one.titled(1.0, tr) in shown]
+        same = [one for one in figures if one.larger and not one.diagram and one.titled(1.0, tr) in shown]
         for one in same:
-            large = one.block(2.0, tr)
+            large = one.block(one.larger[0], tr)
             kept = [block for title, block in shown.items() if title != one.titled(1.0, tr)]
             least = [
                 next(

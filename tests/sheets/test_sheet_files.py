@@ -52,8 +52,12 @@ def test_dxf_has_layers_by_line_and_text_as_text(ezdxf, name):
     for sheet in sheets_of(name):
         drawn = read(ezdxf, files_of(name)[f"sheets/{sheet.name}.dxf"])
         texts = list(drawn.modelspace().query("TEXT"))
-        runs = [run.text for letters in sheet.letters for run in letters.runs]
-        assert [one.dxf.text for one in texts] == runs
+        runs = [(letters, run) for letters in sheet.letters for run in letters.runs]
+        assert [one.dxf.text for one in texts] == [run.text for _, run in runs]
+        for one, (letters, run) in zip(texts, runs, strict=True):  # as wide as its strokes in any face
+            kind, start, end = one.get_placement()
+            assert kind.name == "FIT"
+            assert abs(end - start) == pytest.approx(letters.squeeze * run.wide, abs=1e-6)
         assert min(one.dxf.height for one in texts) >= 3.5
         types = {one.dxf.name: one.dxf.linetype for one in drawn.layers}
         assert (types["MAIN"], types["CENTRE"], types["DASHED"]) == (
@@ -62,6 +66,9 @@ def test_dxf_has_layers_by_line_and_text_as_text(ezdxf, name):
             "GOST_DASHED",
         )
         assert {one.dxf.layer for one in drawn.modelspace()} <= set(types)
+        framed = [item for item in sheet.frame[0] if item.pen.width == 0.6]
+        lines = sum(len(item.strokes) for item in framed)
+        assert len(drawn.modelspace().query('*[layer=="FRAME"]')) == lines
 
 
 def test_the_designation_of_a_dxf_stands_on_its_head(ezdxf):

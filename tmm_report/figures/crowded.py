@@ -90,10 +90,15 @@ def ground(lines: Array, low: Array, high: Array) -> Ground:
 
 def overlapping(boxes: Array, others: Array) -> Array:
     """Whether each box (N, 4) has some area in common with one of the others (M, 4), (N,)."""
+    return overlapped(boxes, others).any(axis=1)
+
+
+def overlapped(boxes: Array, others: Array) -> Array:
+    """Which of the others (M, 4) each box (N, 4) has some area in common with, (N, M)."""
     one, other = boxes[:, None], others
     wide = np.minimum(one[..., 2], other[:, 2]) - np.maximum(one[..., 0], other[:, 0])
     tall = np.minimum(one[..., 3], other[:, 3]) - np.maximum(one[..., 1], other[:, 1])
-    return ((wide > 0) & (tall > 0)).any(axis=1)
+    return (wide > 0) & (tall > 0)
 
 
 def areas(boxes: Array, others: Sequence[Box]) -> Array:
@@ -108,6 +113,20 @@ def areas(boxes: Array, others: Sequence[Box]) -> Array:
 
 def cut(boxes: Array, segments: Array) -> Array:
     """Whether segments (..., 2), complex, go through boxes (..., 4)."""
+    outside, low, high = _shares(boxes, segments)
+    return ~outside & (low < high)
+
+
+def within(boxes: Array, segment: Array) -> list[tuple[float, float]]:
+    """From which to which share of its length a segment (2,) is in each of the boxes (N, 4) that it goes through."""
+    outside, low, high = np.broadcast_arrays(*_shares(boxes, segment))
+    inside = ~outside & (low < high)
+    return list(zip(low[inside].tolist(), high[inside].tolist(), strict=True))
+
+
+def _shares(boxes: Array, segments: Array) -> tuple[Array, Array, Array]:
+    """Whether each segment passes beside the box, and else from which to which share of it lies within, where the one
+    is less than the other."""
     low: Array = 0.0
     high: Array = 1.0
     start, by = segments[..., 0], segments[..., 1] - segments[..., 0]
@@ -122,4 +141,4 @@ def cut(boxes: Array, segments: Array) -> Array:
         t1, t2 = (least - at) / safe, (most - at) / safe
         low = np.where(still, low, np.maximum(low, np.minimum(t1, t2)))
         high = np.where(still, high, np.minimum(high, np.maximum(t1, t2)))
-    return ~outside & (low < high)
+    return outside, low, high

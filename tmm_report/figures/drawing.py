@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmm_report.figures.lettering import Part, Parts, Scale, xml_text
-from tmm_report.figures.placing import Tag, placed
+from tmm_report.figures.placing import placed
 from tmm_report.figures.primitives import (
     AXIS,
     COLOURS,
@@ -32,6 +32,7 @@ from tmm_report.figures.primitives import (
     Item,
     Path,
     Pen,
+    Tag,
     Text,
     dot,
     hatching,

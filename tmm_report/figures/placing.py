@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from itertools import pairwise
@@ -10,10 +9,20 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from tmm_report.figures.crowded import Ground, areas, ground
-from tmm_report.figures.lettering import Parts, width
-from tmm_report.figures.primitives import NORMAL, TEXT, Box, Circle, Item, Path, Pen, Text, heights
-from tmm_report.records import dataclass
+from tmm_report.figures.crowded import Ground, areas, ground, overlapped
+from tmm_report.figures.primitives import (
+    NORMAL,
+    Box,
+    Circle,
+    Item,
+    Leader,
+    Measure,
+    Path,
+    Pen,
+    Tag,
+    Text,
+    letters_box,
+)
 
 CLEAR = 0.1  # free space sought round lettering beside that of the grid, mm
 AWAY = 1.8  # a label farther than this beyond its gap is led to its place by a line, mm
@@ -35,21 +44,10 @@ _SIDES = np.exp(2j * np.pi * np.arange(24) / 24)
 _LIKING = np.full(24, 0.12)  # of sides: corners first, then right, left, up, down, then all that is between
 _LIKING[[3, 9, 21, 15, 0, 12, 6, 18]] = 0.01 * np.arange(8)
 _LEAN = np.clip(1.5 * _SIDES.real, -1, 1), np.clip(1.5 * _SIDES.imag, -1, 1)
+_LOOSE = 9  # rings on which what stands loose is tried
 _ANCHORS = 5  # of each label that are tried
 
 Array = Any
-
-
-@dataclass(frozen=True)
-class Tag:
-    """A text that seeks its place beside one of its `anchors`, best on the side `prefer` (unit or 0)."""
-
-    parts: Parts
-    anchors: tuple[complex, ...]
-    gap: float = 1.2  # clear distance from the anchor, mm
-    prefer: complex = 0j
-    size: float = TEXT
-    colour: str = "black"
 
 
 class Spots(NamedTuple):
@@ -63,7 +61,7 @@ class Spots(NamedTuple):
     led: Array
 
 
-def placed(tags: Sequence[Tag], items: Sequence[Item]) -> tuple[Sequence[Text], Sequence[Path]]:
+def placed(tags: Sequence[Tag], items: Sequence[Item]) -> tuple[Sequence[Text], Sequence[Leader]]:
     """The texts of the tags, in their order, and the lines that lead to those put far from their places.
 
     Who comes first has the choice. Where that leaves no clear place to some, these are let go first.
@@ -72,41 +70,74 @@ def placed(tags: Sequence[Tag], items: Sequence[Item]) -> tuple[Sequence[Text], 
 
 
 @lru_cache(maxsize=512)
-def _placed(tags: tuple[Tag, ...], items: tuple[Item, ...]) -> tuple[list[Text], list[Path]]:
+def _placed(tags: tuple[Tag, ...], items: tuple[Item, ...]) -> tuple[list[Text], list[Leader]]:
     """A note is written in several formats one after another, with the same drawings in each."""
-    on, sheet = _ground(items)
-    order, least = list(range(len(tags))), math.inf
-    best: tuple[list[Text], list[Path]] = [], []
+    texts, leaders, _ = _by_turns(tags, *_ground(items, letters_box), letters_box)
+    return texts, leaders
+
+
+def _by_turns(
+    tags: Sequence[Tag], on: Ground, sheet: Box, measure: Measure
+) -> tuple[list[Text], list[Leader], int]:
+    """The texts, their leaders, and how many found no clear place."""
+    order, least = list(range(len(tags))), len(tags) + 1
+    best: tuple[list[Text], list[Leader]] = [], []
     for _ in range(_TRIES if len(tags) <= _MANY else 1):
-        texts, leaders, spoilt = _in_order(tags, order, on.copy(), sheet)
+        texts, leaders, spoilt = _in_order(tags, order, on.copy(), sheet, measure)
         if len(spoilt) < least:
             least, best = len(spoilt), (texts, leaders)
         if not spoilt:
             break
         order = spoilt + [k for k in order if k not in spoilt]
-    return best
+    return (*best, least)
+
+
+def relettered(items: Sequence[Item], measures: Sequence[Measure]) -> tuple[tuple[Item, ...], Measure]:
+    """The items with other letters, those of the first measure with which all find a clear place, else of the last,
+    and which it is. What has sought its place does so anew; what has its own stays there, or as near as nothing is in
+    the way."""
+    lines = [item for item in items if not isinstance(item, Text | Leader)]
+    own = [item for item in items if isinstance(item, Text) and not item.tag]
+    seeking = [item.tag for item in items if isinstance(item, Text) and item.tag]
+    on, sheet = _ground((*lines, *own), measures[0])
+    for measure in measures:
+        boxes = np.array([text.taken(measure) for text in own]).reshape(-1, 4)
+        clear = ((on.covered(boxes) == 0) & (overlapped(boxes, boxes).sum(axis=1) == 1)).tolist()
+        stay = [text for text, is_clear in zip(own, clear, strict=True) if is_clear]
+        loose = [_loose(text, measure) for text, is_clear in zip(own, clear, strict=True) if not is_clear]
+        on.taken = [text.taken(measure) for text in stay]
+        texts, leaders, spoilt = _by_turns([*loose, *seeking], on, sheet, measure)
+        if not spoilt:
+            break
+    return (*lines, *stay, *leaders, *texts), measure
+
+
+def _loose(text: Text, measure: Measure) -> Tag:
+    left, bottom, right, top = text.taken(measure)
+    middle = complex(left + right, bottom + top) / 2
+    return Tag(text.parts, (middle,), 0.0, size=text.size, colour=text.colour, loose=True)
 
 
 def _in_order(
-    tags: Sequence[Tag], order: Sequence[int], on: Ground, sheet: Box
-) -> tuple[list[Text], list[Path], list[int]]:
+    tags: Sequence[Tag], order: Sequence[int], on: Ground, sheet: Box, measure: Measure
+) -> tuple[list[Text], list[Leader], list[int]]:
     """The tags put one after another: their texts, leaders, and which of them found no clear place."""
     texts: dict[int, Text] = {}
-    leaders: list[Path] = []
+    leaders: list[Leader] = []
     spoilt: list[int] = []
     for k in order:
-        texts[k], led, clear = _put(tags[k], on, sheet)
+        texts[k], led, clear = _put(tags[k], on, sheet, measure)
         leaders += led
         spoilt += [] if clear else [k]
-        on.taken.append(texts[k].box)
+        on.taken.append(texts[k].taken(measure))
         on.leaders += [(path.strokes[0][0], path.strokes[0][1]) for path in led]
     return [texts[k] for k in range(len(tags))], leaders, spoilt
 
 
-def _ground(items: Sequence[Item]) -> tuple[Ground, Box]:
+def _ground(items: Sequence[Item], measure: Measure) -> tuple[Ground, Box]:
     """What labels keep off, and the sheet they keep to."""
     lines = np.array([one for item in items for one in _lines(item)], float).reshape(-1, 5)
-    taken = [item.box for item in items if isinstance(item, Text)]
+    taken = [item.taken(measure) for item in items if isinstance(item, Text)]
     ends = np.concatenate([lines[:, :2], lines[:, 2:4], np.array(taken, float).reshape(-1, 2)])
     ends = ends if len(ends) else np.zeros((1, 2))
     low, high = ends.min(axis=0), ends.max(axis=0)
@@ -119,7 +150,7 @@ def _ground(items: Sequence[Item]) -> tuple[Ground, Box]:
 
 def clear_of(items: Sequence[Item], boxes: Sequence[Box]) -> list[bool]:
     """Whether nothing of a drawing is in each of the boxes."""
-    on, _ = _ground(items)
+    on, _ = _ground(items, letters_box)
     sought = np.array(boxes, float).reshape(-1, 4)
     return ((on.covered(sought) == 0) & on.free(sought)).tolist()
 
@@ -139,33 +170,37 @@ def _lines(item: Item) -> list[tuple[float, float, float, float, float]]:
     return [(a.real, a.imag, b.real, b.imag, weight) for stroke in strokes for a, b in pairwise(stroke)]
 
 
-def _put(tag: Tag, on: Ground, sheet: Box) -> tuple[Text, list[Path], bool]:
+def _put(tag: Tag, on: Ground, sheet: Box, measure: Measure) -> tuple[Text, list[Leader], bool]:
     """The text, the line that leads to it, and whether its place is clear."""
-    low, high = heights(tag.parts)
-    half = complex(width(tag.parts, tag.size) / 2, tag.size * (low + high) / 2)
-    spots = _spots(tag, half)
+    left, bottom, right, top = measure(tag.parts, tag.size)
+    spots = _spots(tag, complex(right - left, top - bottom) / 2)
     index, clear = _best(tag, spots, on, sheet)
     x0, y0, x1, y1 = spots.boxes[index].tolist()
-    text = _text_at(tag, complex((x0 + x1) / 2, (y0 + y1) / 2), complex(spots.lean[index]), (high - low) / 2)
-    led = [Path((_leader(tag, spots, index),), Pen(LEADER, tag.colour))] if spots.led[index] else []
+    lean = complex(spots.lean[index]).real
+    # aligned to its anchor's side, so that a narrower font keeps the gap
+    align: Literal[-1, 0, 1] = 0 if abs(lean) < 1e-9 else -1 if lean > 0 else 1
+    at = complex((x0 + x1 + (right - left) * align) / 2, (y0 + y1 - (bottom + top)) / 2)
+    text = Text(at, tag.parts, tag.size, align, tag.colour, tag)
+    led = [Leader((_leader(tag, spots, index),), Pen(LEADER, tag.colour))] if spots.led[index] else []
     return text, led, clear
 
 
 def _spots(tag: Tag, half: complex) -> Spots:
     """All places on the rings round the anchors, the best liked first."""
     anchors = np.array(tag.anchors[:_ANCHORS])
-    lean = _LEAN[0] * half.real + 1j * _LEAN[1] * half.imag
-    centres = anchors[:, None, None] + (tag.gap + _RINGS[:, None]) * _SIDES + lean
+    rings, led = (_RINGS[:_LOOSE], np.zeros(_LOOSE, bool)) if tag.loose else (_RINGS, _FAR)
+    lean = (_LEAN[0] * half.real + 1j * _LEAN[1] * half.imag) * (not tag.loose)
+    centres = anchors[:, None, None] + (tag.gap + rings[:, None]) * _SIDES + lean
     wrong = 0.5 * abs(_SIDES - tag.prefer) if tag.prefer else 0.0
     dislike = (
-        0.05 * np.arange(len(anchors))[:, None, None] + (0.2 * _RINGS + 0.5 * _FAR)[:, None] + _LIKING + wrong
+        0.05 * np.arange(len(anchors))[:, None, None] + (0.2 * rings + 0.5 * led)[:, None] + _LIKING + wrong
     )
     order = np.argsort(np.round(dislike, 6), axis=None, kind="stable")
     of, ring, side = np.unravel_index(order, centres.shape)
     at = centres.ravel()[order]
     wide, tall = half.real + CLEAR, half.imag + CLEAR
     boxes = np.stack([at.real - wide, at.imag - tall, at.real + wide, at.imag + tall], axis=1)
-    return Spots(boxes, lean[side], anchors[of], dislike.ravel()[order], _FAR[ring])
+    return Spots(boxes, lean[side], anchors[of], dislike.ravel()[order], led[ring])
 
 
 def _best(tag: Tag, spots: Spots, on: Ground, sheet: Box) -> tuple[int, bool]:
@@ -229,10 +264,3 @@ def _leaders(tag: Tag, spots: Spots, places: Array) -> Array:
     )
     starts = anchors + max(0.0, tag.gap - 0.7) * (ends - anchors) / np.abs(ends - anchors)
     return np.stack([starts, ends], axis=1)
-
-
-def _text_at(tag: Tag, centre: complex, lean: complex, lift: float) -> Text:
-    """A Text with the box around `centre`, aligned to its anchor's side: a narrower font keeps the gap."""
-    align: Literal[-1, 0, 1] = 0 if abs(lean.real) < 1e-9 else -1 if lean.real > 0 else 1
-    at = complex(centre.real + width(tag.parts, tag.size) / 2 * align, centre.imag - tag.size * (lift - 0.35))
-    return Text(at, tag.parts, tag.size, align, tag.colour)

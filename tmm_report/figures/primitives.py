@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import field, replace
 from functools import cached_property, lru_cache
 from itertools import chain
 from typing import Literal
@@ -21,6 +21,7 @@ from tmm_report.figures.lettering import Parts, svg_parts, tex_parts, width, xml
 from tmm_report.records import dataclass
 
 Box = tuple[float, float, float, float]  # left, bottom, right, top
+Measure = Callable[[Parts, float], Box]  # of a text of a size: what it takes, its middle at zero
 
 TEXT = 3.2  # height of lettering, mm
 HEAD = 3.0  # length of an arrowhead, mm
@@ -203,14 +204,33 @@ class Arrow:
 
 
 @dataclass(frozen=True)
+class Tag:
+    """A text that seeks its place beside one of its `anchors`, best on the side `prefer` (unit or 0); `loose`: its
+    middle is best at the anchor itself, and no line leads to it."""
+
+    parts: Parts
+    anchors: tuple[complex, ...]
+    gap: float = 1.2  # clear distance from the anchor, mm
+    prefer: complex = 0j
+    size: float = TEXT
+    colour: str = "black"
+    loose: bool = False
+
+    def moved(self, by: complex) -> Tag:
+        return replace(self, anchors=tuple(z + by for z in self.anchors))
+
+
+@dataclass(frozen=True)
 class Text:
-    """Lettering at a place: its middle in height, its left (-1), middle (0) or right end (1) by `align`."""
+    """Lettering at a place: its middle in height, its left (-1), middle (0) or right end (1) by `align`; `tag`: what it
+    is of that has sought its place."""
 
     at: complex
     parts: Parts
     size: float = TEXT
     align: Literal[-1, 0, 1] = -1
     colour: str = "black"
+    tag: Tag | None = field(default=None, compare=False)
 
     @property
     def baseline(self) -> complex:
@@ -218,11 +238,14 @@ class Text:
 
     @cached_property
     def box(self) -> Box:
-        wide = width(self.parts, self.size)
-        left = self.at.real - wide * (1 + self.align) / 2
-        low, high = heights(self.parts)
-        base = self.baseline.imag
-        return left, base - low * self.size, left + wide, base + high * self.size
+        return self.taken(letters_box)
+
+    def taken(self, measure: Measure) -> Box:
+        """What it takes where its letters are those of a measure."""
+        left, bottom, right, top = measure(self.parts, self.size)
+        left, right = ((x - left) - (right - left) * (1 + self.align) / 2 for x in (left, right))
+        x, y = self.at.real, self.at.imag
+        return x + left, y + bottom, x + right, y + top
 
     def outline(self) -> list[tuple[complex, ...]]:
         x0, y0, x1, y1 = self.box
@@ -233,7 +256,7 @@ class Text:
         return complex(x0, y0), complex(x1, y1)
 
     def moved(self, by: complex) -> Text:
-        return replace(self, at=self.at + by)
+        return replace(self, at=self.at + by, tag=self.tag and self.tag.moved(by))
 
     def svg(self, places: list[complex]) -> str:
         places.append(self.baseline)
@@ -253,6 +276,10 @@ class Text:
 
 
 Item = Path | Circle | Arc | Arrow | Text
+
+
+class Leader(Path):
+    """The thin line that leads to a label put far from its place."""
 
 
 def line(start: complex, end: complex, pen: Pen = NORMAL) -> Path:
@@ -290,6 +317,13 @@ def heights(parts: Parts) -> tuple[float, float]:
             low = 0.38 if part.sub else low
             high = 0.92 if part.sup or part.bar else high
     return low, high
+
+
+def letters_box(parts: Parts, size: float) -> Box:
+    """Of the letters of a note."""
+    low, high = heights(parts)
+    half = width(parts, size) / 2
+    return -half, -(0.35 + low) * size, half, (high - 0.35) * size
 
 
 # --- how a number, a place and a pen are written ---

@@ -3,7 +3,7 @@
     files = render(results, translator)     # {"sheets/1_kinematics.svg": b"..."}
 
 A picture stands at the note's own size, each of its lengths the same. Where its title states what a millimetre stands
-for and the sheet has room, it is larger by a ratio of GOST 2.302 and the title says the scale that it has then.
+for and the sheet has room, it is larger, at another scale of the same row, which the title says.
 """
 
 from __future__ import annotations
@@ -12,16 +12,16 @@ from collections.abc import Iterator, Sequence
 from importlib.util import find_spec
 
 from tmm_report.course import Results
+from tmm_report.figures.sheets.block import Block, Size
 from tmm_report.figures.sheets.form import Said
-from tmm_report.figures.sheets.sheet import FORMATS, LARGEST, Block, Format, Sheet, placed, places
+from tmm_report.figures.sheets.sheet import FORMATS, LARGEST, Format, Sheet, placed, places
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
 from tmm_report.report.paper.frames import ROLES, WORDS
-from tmm_report.sheets.pictures import KINDS, Figure, Kept, figures
+from tmm_report.sheets.pictures import KINDS, TIMES, Figure, Kept, figures
 
-LARGER = (2.0, 2.5, 4.0, 5.0)  # GOST 2.302
 SMALLER = (2.0, 2.5, 4.0, 5.0, 10.0, 15.0, 20.0, 25.0, 40.0, 50.0, 75.0, 100.0)
 FORM = WORDS | {"Масса": N_("Mass"), "Масштаб": N_("Scale"), "Формат": N_("Format")}
 ROLES_HERE = (*ROLES[:2], N_("Tech. check"), "", *ROLES[3:])
@@ -57,20 +57,20 @@ def _sheets(figures: Sequence[Figure], tr: Translator) -> Iterator[tuple[Format,
     """The smallest format that holds all of them, or as many of the largest as they need."""
     left = list(figures)
     while left:
-        blocks = [one.block(1.0, tr) for one in left]
-        size = next((one for one in FORMATS[: LARGEST + 1] if len(places(one, blocks)) == len(left)), None)
+        sizes = [one.block(1.0, tr).size for one in left]
+        size = next((one for one in FORMATS[: LARGEST + 1] if len(places(one, sizes)) == len(left)), None)
         if size is None:
             size = FORMATS[LARGEST]
-            here = sorted(places(size, blocks))
+            here = sorted(places(size, sizes))
         else:
             here = list(range(len(left)))
         if not here:  # even the first alone is too large
-            here, size = [0], _for_one(blocks[0])
+            here, size = [0], _for_one(sizes[0])
         yield size, _enlarged(size, [left[n] for n in here], tr)
         left = [one for n, one in enumerate(left) if n not in here]
 
 
-def _for_one(one: Block) -> Format:
+def _for_one(one: Size) -> Format:
     return next((size for size in FORMATS[LARGEST:] if places(size, [one])), FORMATS[-1])
 
 
@@ -78,21 +78,42 @@ def _enlarged(size: Format, figures: Sequence[Figure], tr: Translator) -> list[B
     """Each picture as large as there is room for, schemes and plans before diagrams, the most crowded first; one that
     no paper holds is smaller."""
     blocks = [one.block(1.0, tr) for one in figures]
-    found = places(size, blocks)  # nothing is moved before all have their size
+    sizes = [one.size for one in blocks]
+    found = places(size, sizes)  # nothing is moved before all have their size
     if len(found) < len(blocks):
         small = (figures[0].block(1 / times, tr) for times in SMALLER)
         return list(next(held for one in small if (held := placed(size, [one]))).values())
     for kind in (False, True):  # schemes and plans, then diagrams
-        order = [n for n, one in enumerate(figures) if one.scaled and one.diagram == kind]
+        order = [n for n, one in enumerate(figures) if one.larger and one.diagram == kind]
         order.sort(key=lambda n: -figures[n].crowd)
-        for times in LARGER:
+        for step in range(len(TIMES)):
             for n in list(order):
-                larger = [*blocks[:n], figures[n].block(times, tr), *blocks[n + 1 :]]
-                if len(tried := places(size, larger)) == len(larger):
-                    blocks, found = larger, tried
+                tried = _held(size, sizes, n, figures[n], step, tr)
+                if tried:
+                    blocks[n], found = tried
+                    sizes[n] = blocks[n].size
                 else:
                     order.remove(n)  # still larger it has no room either
     return [one.at(*found[n]) for n, one in enumerate(blocks)]
+
+
+def _held(
+    size: Format, sizes: Sequence[Size], n: int, figure: Figure, step: int, tr: Translator
+) -> tuple[Block, dict[int, tuple[float, float]]] | None:
+    """One of several pictures at one of its larger sizes, and the places of all where they have room."""
+    if step >= len(figure.larger):
+        return None
+    times = figure.larger[step]
+    made = figure.made.get(times)
+    for one in (
+        made.size if made else figure.least(times),
+        None,
+    ):  # its letters are placed where its lines have room
+        large = one or figure.block(times, tr).size
+        found = places(size, [*sizes[:n], large, *sizes[n + 1 :]])
+        if len(found) < len(sizes):
+            return None
+    return figure.block(times, tr), found
 
 
 def render(results: Results, tr: Translator) -> dict[str, bytes]:

@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import field
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
 from tmm_report import note
 from tmm_report.course import Results
+from tmm_report.figures.charts.axes import ALONG
 from tmm_report.figures.charts.graphs import Graph
 from tmm_report.figures.drawing import Drawing, Text
 from tmm_report.figures.lettering import Part as Piece
 from tmm_report.figures.lettering import Parts, lettered
-from tmm_report.figures.sheets.sheet import Block, Title, block
+from tmm_report.figures.sheets.block import Block, Size, Title, block, least
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Formula, Inline, VectorEquation
+from tmm_report.quantity.paper import ROUND
 from tmm_report.quantity.symbols import Symbol, math_symbol
 from tmm_report.quantity.text import number
 from tmm_report.quantity.written import Equation
@@ -35,6 +38,10 @@ KINDS = (
 )  # fmt: skip
 FORCES = ("kinetostatics", "force_plans", "friction", "translation", "transmission", "press")
 MACHINE = ("reduction",)  # of the lever's chapters that which speaks of the machine
+ENLARGED = (2.0, 2.5, 4.0, 5.0)  # GOST 2.302
+TIMES = (1.25, 1.6, *ENLARGED)  # from one round scale to another
+# where a title may go on to the next line: neither behind a short word nor before a number
+TORN = re.compile(r"(?<!(?<!\w)[^\W\d_])(?<!(?<!\w)[^\W\d_]{2})[ \t\n]+(?!\d)")
 MARK = "\N{NULL}"  # around the number of a scale in a title that is not yet written; in no text
 
 
@@ -53,15 +60,24 @@ class Scale(NamedTuple):
         return lettered(_sign(one.symbol), tr.in_index), f" = {text}{plain.gap(one.unit, tr)}"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Figure:
-    """A picture of the note, the sheet it belongs to (of KINDS), its title in pieces, and whether it is a
-    graph, which is read by its numbers and not measured."""
+    """A picture of the note, the sheet it belongs to (of KINDS), its title in pieces; `made`: it as it stands on a
+    sheet, by how many times it is larger."""
 
-    drawing: Drawing
+    picture: Drawing | Graph
     kind: str
     title: tuple[str | Scale | Symbol, ...]
-    diagram: bool = False
+    made: dict[float, Block] = field(default_factory=dict)
+
+    @property
+    def diagram(self) -> bool:
+        return isinstance(self.picture, Graph)
+
+    @property
+    def drawing(self) -> Drawing:
+        """As it is in the note."""
+        return self.picture.drawing if isinstance(self.picture, Graph) else self.picture
 
     def titled(self, times: float, tr: Translator) -> Title:
         """Word by word; what follows a symbol without a space stands with it."""
@@ -72,19 +88,29 @@ class Figure:
                     one.written(times, tr) if isinstance(one, Scale) else (lettered(one, tr.in_index),)
                 )
                 continue
-            first, *others = re.split(r"[ \t\n]+", one)
+            first, *others = TORN.split(one)
             words[-1] += [first] if first else []
             words += [[other] if other else [] for other in others]
-        if times != 1 and not self.scaled:
+        if times != 1 and not self.scales:
             words.append([f"({_ratio(times, tr)})"])
         return tuple(tuple(one) for one in words if one)
 
-    @property
-    def scaled(self) -> bool:
-        """Whether the title tells all of its scales, so that the picture may be larger."""
-        return any(isinstance(one, Scale) and one.per_mm for one in self.title) and not any(
-            re.search(r"\d:\d", one) for one in self.title if isinstance(one, str)
-        )
+    @cached_property
+    def scales(self) -> list[float]:
+        """What a millimetre stands for, where the title tells all of it."""
+        if any(re.search(r"\d:\d", one) for one in self.title if isinstance(one, str)):
+            return []
+        return [one.item.value for one in self.title if isinstance(one, Scale) and one.per_mm]
+
+    @cached_property
+    def larger(self) -> tuple[float, ...]:
+        """By how many times it may be: not where its title does not tell its scales. One out of a row stays in it,
+        those of axes in that of axes; where one is in none, by a ratio of the standard."""
+        rows = (ROUND, ALONG) if self.diagram else (ROUND,)
+        row = next((row for row in rows if all(_in(row, one) for one in self.scales)), None)
+        if not self.scales or row is None:
+            return ENLARGED if self.scales else ()
+        return tuple(times for times in TIMES if all(_in(row, one / times) for one in self.scales))
 
     @property
     def crowd(self) -> float:
@@ -93,7 +119,19 @@ class Figure:
         return sum(isinstance(one, Text) for one in self.drawing.items) / (wide * tall)
 
     def block(self, times: float, tr: Translator) -> Block:
-        return block(self.drawing, self.titled(times, tr), times)
+        if times not in self.made:
+            self.made[times] = block(self.picture, self.titled(times, tr), times)
+        return self.made[times]
+
+    def least(self, times: float) -> Size:
+        """What it takes at least."""
+        return least(self.picture, times)
+
+
+def _in(row: Sequence[float], value: float) -> bool:
+    """Whether a number is one of a row, times a power of ten."""
+    digits = float(f"{abs(value):.5e}".partition("e")[0])
+    return any(abs(digits - one) < 1e-4 for one in row)
 
 
 def _ratio(times: float, tr: Translator) -> str:
@@ -130,9 +168,7 @@ class Kept(Tex):
         return Markup("")
 
     def placed(self, figure: TexFigure, picture: Drawing | Graph) -> Markup:
-        drawing = picture if isinstance(picture, Drawing) else picture.drawing
-        title = tuple(self._pieces(str(figure[1])))
-        self.figures.append(Figure(drawing, self.kind, title, isinstance(picture, Graph)))
+        self.figures.append(Figure(picture, self.kind, tuple(self._pieces(str(figure[1])))))
         return Markup("")
 
     def _pieces(self, caption: str) -> Iterator[str | Scale | Symbol]:

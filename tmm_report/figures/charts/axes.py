@@ -1,32 +1,27 @@
 """Panels of a graph on their sheet: where a value stands on paper, mm, its scale, its ticks, how it is written by them.
 
-┌───────────────────────┐
-│ name    names of curves │     HEAD for each row of names; over the top panel the numbers of the positions too
+┌─────────────────────────┐
+│ name    names of curves │     a row for each row of names; over the top panel the numbers of the positions too
 │ left ┌────────┐ RIGHT   │     the panels stand one above another over one axis of x
 │      └────────┘         │
-└ BELOW ────────────────┘
+└ below ──────────────────┘
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
+from tmm_report.figures.lettering import Parts, width
 from tmm_report.quantity.paper import round_scale
 from tmm_report.records import dataclass
 
 PAPER = 165.0  # mm: width of a graph that stands in the text of a page
-FIGURE = 2.8  # height of figures by the axes, of values at extremes, of the names of curves, mm
 TICK = 1.2  # length of a tick, mm
-HEAD, NUMBERS, BELOW, RIGHT = (
-    5.2,
-    4.6,
-    12.5,
-    4.0,
-)  # mm: a row of names, numbers of positions, figures of x, margin
-REGIMES = 10.5  # mm: the x of the bounds between regimes, and over them the numbers of these
+RIGHT = 4.0  # mm: margin
 GAP = 1.2  # between a panel and the names of the next, mm
 EVERY = 10.0  # mm between ticks of values
 TALLEST, ALONE, LEAST = (
@@ -43,6 +38,31 @@ ROOMS = (
 )  # mm: height of half a page and of two thirds, with their captions, of a whole page, of A3 standing
 ALONG = (1.0, 1.25, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)  # round scales along an axis, times a power of ten
 ROUND = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)  # steps of ticks, times a power of ten
+
+
+class Hand(NamedTuple):
+    """The letters of a graph, mm: height of figures by the axes, of values at extremes, of the names of curves; that of
+    the names of axes; that of a row of names; how wide a text of a height is."""
+
+    figure: float = 2.8
+    name: float = 3.2
+    row: float = 5.2
+    wide: Callable[[Parts, float], float] = width
+
+    @property
+    def numbers(self) -> float:
+        """The numbers of the positions."""
+        return self.figure + 1.8
+
+    @property
+    def below(self) -> float:
+        """Figures and name of x."""
+        return self.figure + self.name + 6.5
+
+    @property
+    def regimes(self) -> float:
+        """The x of the bounds between regimes, and over them the numbers of these."""
+        return 2 * self.figure + 4.9
 
 
 @dataclass(frozen=True)

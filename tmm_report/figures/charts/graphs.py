@@ -14,15 +14,11 @@ import numpy as np
 
 from tmm_report.figures.charts import sheet
 from tmm_report.figures.charts.axes import (
-    BELOW,
-    FIGURE,
     GAP,
-    HEAD,
-    NUMBERS,
     PAPER,
-    REGIMES,
     RIGHT,
     TICK,
+    Hand,
     Panel,
     Values,
     figure,
@@ -32,11 +28,12 @@ from tmm_report.figures.charts.axes import (
 )
 from tmm_report.figures.charts.sheet import LOOKS, Look
 from tmm_report.figures.drawing import Drawing
-from tmm_report.figures.lettering import Parts, Scale, scales_along, width
+from tmm_report.figures.lettering import Parts, Scale, scales_along
 from tmm_report.quantity.text import ZERO
 from tmm_report.records import dataclass
 
 Letters = Parts | str
+HAND = Hand()
 WIDEST = 20.0  # mm: of the figures beside an axis, until they are known
 
 
@@ -88,18 +85,19 @@ class Graph:
     join: bool
     title: str
     bounds: Sequence[float] = ()
+    hand: Hand = HAND
 
     @property
     def size(self) -> tuple[float, float]:
         """Width and height, mm."""
         top = self.panels[0]
-        rows = sheet.rows(top, self.ylabels[0], self.of(0))
-        return top.right + RIGHT, top.top + HEAD * rows + self.over
+        rows = sheet.rows(top, self.ylabels[0], self.of(0), self.hand)
+        return top.right + RIGHT, top.top + self.hand.row * rows + self.over
 
     @property
     def over(self) -> float:
         """Height of the numbers of the positions, and of the regimes, over the top panel, mm."""
-        return _over(self.positions, self.bounds)
+        return _over(self.positions, self.bounds, self.hand)
 
     def of(self, number: int) -> list[tuple[Curve, Look]]:
         """The curves of a panel and how each is drawn."""
@@ -115,6 +113,16 @@ class Graph:
     @cached_property
     def drawing(self) -> Drawing:
         return sheet.drawn(self)
+
+    def by(self, hand: Hand, times: float = 1.0) -> Graph:
+        """The same curves `times` as large, with other letters."""
+        laid = [replace(one, wide=times * one.wide, tall=times * one.tall) for one in self.panels]
+        laid = [replace(one, left=_left(laid, self.comma, hand)) for one in laid]
+        heads = [
+            hand.row * sheet.rows(panel, name, self.of(k), hand)
+            for k, (panel, name) in enumerate(zip(laid, self.ylabels, strict=True))
+        ]
+        return replace(self, panels=_upwards(laid, heads, hand), hand=hand)
 
 
 def graph(
@@ -144,12 +152,12 @@ def graph(
     axes = [_axis(of, x) for of in own]
     bare = Panel(0.0, 1.0, (float(x[0]), float(x[-1])), (0.0, 1.0), WIDEST, _wide(wide, WIDEST))
     heads = [
-        HEAD * sheet.rows(bare, name, list(zip(of, cycle(LOOKS), strict=False)))
-        + (_over(positions, bounds) if k == 0 else 0.0)
+        HAND.row * sheet.rows(bare, name, list(zip(of, cycle(LOOKS), strict=False)), HAND)
+        + (_over(positions, bounds, HAND) if k == 0 else 0.0)
         for k, (name, of) in enumerate(zip(names, own, strict=True))
     ]
     laid = _stacked(bare, axes, heads)
-    left = _left(laid, comma)
+    left = _left(laid, comma, HAND)
     laid = [replace(panel, left=left, wide=_wide(wide, left)) for panel in laid]
     step = step(laid[0].wide) if callable(step) else step
     return Graph(
@@ -172,23 +180,32 @@ def _axis(curves: Sequence[Curve], x: np.ndarray) -> Values:
     return values_of(np.concatenate([np.array(marked), *(curve.values for curve in curves)]), marked)
 
 
-def _left(laid: Sequence[Panel], comma: bool) -> float:
+def _left(laid: Sequence[Panel], comma: bool, hand: Hand) -> float:
     """Width of the widest figure beside an axis with its tick, mm."""
     texts = [figure(value, comma) for panel in laid for value in value_ticks(panel)]
-    return max(width((text,), FIGURE) for text in texts) + TICK + 1.8
+    return max(hand.wide((text,), hand.figure) for text in texts) + TICK + 1.8
 
 
-def _over(positions: int, bounds: Sequence[float]) -> float:
+def _over(positions: int, bounds: Sequence[float], hand: Hand) -> float:
     """Height of what is numbered over the top panel, mm."""
-    return (NUMBERS if positions else 0.0) + (REGIMES if len(bounds) else 0.0)
+    return (hand.numbers if positions else 0.0) + (hand.regimes if len(bounds) else 0.0)
 
 
 def _stacked(bare: Panel, axes: Sequence[Values], heads: Sequence[float]) -> list[Panel]:
     """The panels one above another, from the top of the sheet down."""
-    scales = scales_of(axes, BELOW + sum(heads) + GAP * (len(axes) - 1))
+    scales = scales_of(axes, HAND.below + sum(heads) + GAP * (len(axes) - 1))
+    sized = [
+        replace(bare, tall=axis.tall(scale), y=axis.range(scale))
+        for axis, scale in zip(axes, scales, strict=True)
+    ]
+    return _upwards(sized, heads, HAND)
+
+
+def _upwards(panels: Sequence[Panel], heads: Sequence[float], hand: Hand) -> list[Panel]:
+    """The panels, which are told from the top, on their heights."""
     laid: list[Panel] = []
-    bottom = BELOW
-    for axis, head, scale in reversed(list(zip(axes, heads, scales, strict=True))):
-        laid.append(replace(bare, bottom=bottom, tall=axis.tall(scale), y=axis.range(scale)))
+    bottom = hand.below
+    for panel, head in reversed(list(zip(panels, heads, strict=True))):
+        laid.append(replace(panel, bottom=bottom))
         bottom = laid[-1].top + head + GAP
     return laid[::-1]

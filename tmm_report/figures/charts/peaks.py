@@ -9,11 +9,11 @@ from dataclasses import field
 
 import numpy as np
 
-from tmm_report.figures.charts.axes import FIGURE, Panel
+from tmm_report.figures.charts.axes import Panel
 from tmm_report.records import dataclass
 
 Box = tuple[float, float, float, float]  # left, foot, right, top, mm
-TALL = FIGURE + 0.5  # of a value with its ground, mm
+GROUND = 0.5  # mm: of a value, over and under it together
 OFF = 1.2  # mm: between an extreme and its value
 FINE = 0.4  # mm along x between the points by which a curve is known
 CURVES, ZERO, OTHERS, OUTSIDE = 4.0, 4.0, 50.0, 200.0  # what it costs to cover them
@@ -21,10 +21,11 @@ CURVES, ZERO, OTHERS, OUTSIDE = 4.0, 4.0, 50.0, 200.0  # what it costs to cover 
 
 @dataclass(eq=False)
 class Crowd:
-    """What stands in a panel: its curves, (P,) complex mm each, and the values written so far."""
+    """What stands in a panel: its curves, (P,) complex mm each, the values written so far, how high these are, mm."""
 
     panel: Panel
     curves: Sequence[np.ndarray]
+    figure: float
     written: list[Box] = field(default_factory=list)
     _x: np.ndarray = field(init=False)
     _lines: list[np.ndarray] = field(init=False)
@@ -52,7 +53,8 @@ class Crowd:
 def placed(crowd: Crowd, at: complex, wide: float, up: bool) -> Box:
     """The box of a value `wide` mm wide beside a point: of several the one that covers least, the first liked best."""
     least, best = math.inf, (0.0, 0.0, 0.0, 0.0)
-    for k, box in enumerate(_boxes(crowd.panel, at, wide, 1 if up else -1)):
+    size = complex(wide, crowd.figure + GROUND)
+    for k, box in enumerate(_boxes(crowd.panel, at, size, 1 if up else -1)):
         if (cost := crowd.cost(box) + 0.1 * k) < least:
             least, best = cost, box
         if least <= 0.1 * (k + 1):  # those that follow are liked less
@@ -61,23 +63,23 @@ def placed(crowd: Crowd, at: complex, wide: float, up: bool) -> Box:
     return best
 
 
-def _boxes(panel: Panel, at: complex, wide: float, side: int) -> Iterator[Box]:
+def _boxes(panel: Panel, at: complex, size: complex, side: int) -> Iterator[Box]:
     """Over or under the point, to its sides, farther away, on the other side, closer; none goes out at the
     panel's sides."""
-    half, near = wide / 2, OFF + TALL / 2
+    half, near = size.real / 2, OFF + size.imag / 2
     beside = half + 1.6
     for up in (near, near + 2.2, -near, near + 4.4, -near - 2.2, -near - 4.4, near - 0.45):
         for along in (0.0, beside, -beside):
-            yield _box(panel, at + complex(along, side * up), wide)
+            yield _box(panel, at + complex(along, side * up), size)
         if up == near:
-            yield _box(panel, at + beside, wide)
-            yield _box(panel, at - beside, wide)
+            yield _box(panel, at + beside, size)
+            yield _box(panel, at - beside, size)
 
 
-def _box(panel: Panel, middle: complex, wide: float) -> Box:
-    low, high = panel.left + 0.6 + wide / 2, panel.right - 0.6 - wide / 2
-    x = min(max(middle.real, low), high)
-    return x - wide / 2, middle.imag - TALL / 2, x + wide / 2, middle.imag + TALL / 2
+def _box(panel: Panel, middle: complex, size: complex) -> Box:
+    wide, tall = size.real / 2, size.imag / 2
+    x = min(max(middle.real, panel.left + 0.6 + wide), panel.right - 0.6 - wide)
+    return x - wide, middle.imag - tall, x + wide, middle.imag + tall
 
 
 def _crosses(line: np.ndarray, foot: float, top: float) -> bool:

@@ -14,12 +14,9 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from tmm_report.figures.charts.axes import (
-    FIGURE,
-    HEAD,
-    NUMBERS,
-    REGIMES,
     RIGHT,
     TICK,
+    Hand,
     Panel,
     figure,
     multiples,
@@ -28,13 +25,12 @@ from tmm_report.figures.charts.axes import (
 )
 from tmm_report.figures.charts.peaks import Crowd, placed
 from tmm_report.figures.drawing import Circle, Drawing, Item, Path, Pen, Text, dot, line, polygon
-from tmm_report.figures.lettering import Parts, width
+from tmm_report.figures.lettering import Parts
 from tmm_report.quantity.text import roman
 
 if TYPE_CHECKING:
     from tmm_report.figures.charts.graphs import Curve, Graph
 
-NAME = 3.2  # height of the names of axes, mm
 CURVE, FRAME, GRID = 0.39, 0.22, 0.13  # widths of lines, mm
 JOINED = Pen(0.16, "grey", (1.4, 1.0))
 RING, MARK = 0.85, 0.6  # radii of a ring at an extreme and of a marker, mm
@@ -78,7 +74,7 @@ def _panel(graph: Graph, panel: Panel, number: int) -> Iterator[Item]:
     yield from _ruled(graph, panel)
     for curve, look in own:
         yield from _curve(panel.places(graph.x, curve.values), look, graph.positions)
-    crowd = Crowd(panel, [panel.places(graph.x, curve.values) for curve, _ in own])
+    crowd = Crowd(panel, [panel.places(graph.x, curve.values) for curve, _ in own], graph.hand.figure)
     extremes = list(_extremes(graph, crowd, own))
     if graph.join:
         at = {round(at, 6) for curve in graph.curves for at, _ in curve.marked(graph.x)}
@@ -100,7 +96,7 @@ def _ruled(graph: Graph, panel: Panel) -> Iterator[Item]:
     yield polygon(box, Pen(FRAME))
     yield Path((*_level(panel, [panel.up(0.0)]), *ticks), Pen(FRAME))
     for value, y in ys.items():
-        yield Text(complex(panel.left - TICK - 0.6, y), (figure(value, graph.comma),), FIGURE, 1)
+        yield Text(complex(panel.left - TICK - 0.6, y), (figure(value, graph.comma),), graph.hand.figure, 1)
 
 
 def _upright(panel: Panel, xs: Iterable[float]) -> list[tuple[complex, ...]]:
@@ -164,7 +160,7 @@ def _joined(crowd: Crowd, at: Sequence[float]) -> Iterator[Item]:
 
 def _extremes(graph: Graph, crowd: Crowd, own: Sequence[tuple[Curve, Look]]) -> Iterator[Item]:
     """Rings at the extremes, and beside each its value where it covers least."""
-    panel = crowd.panel
+    panel, size = crowd.panel, graph.hand.figure
     for curve, look in own:
         points = curve.marked(graph.x)
         middle = float(np.nanmean(curve.values)) if points else 0.0
@@ -172,28 +168,28 @@ def _extremes(graph: Graph, crowd: Crowd, own: Sequence[tuple[Curve, Look]]) -> 
             place = complex(panel.across(at), panel.up(value))
             yield Circle(place, RING, Pen(0.2, look.pen.colour), "white")
             text = (figure(value, graph.comma),)
-            left, foot, right, top = placed(crowd, place, width(text, FIGURE), value >= middle)
-            yield Text(complex((left + right) / 2, (foot + top) / 2), text, FIGURE, 0, look.pen.colour)
+            left, foot, right, top = placed(crowd, place, graph.hand.wide(text, size), value >= middle)
+            yield Text(complex((left + right) / 2, (foot + top) / 2), text, size, 0, look.pen.colour)
 
 
 # --- names ---
 
 
-def rows(panel: Panel, label: Parts, own: Sequence[tuple[Curve, Look]]) -> int:
+def rows(panel: Panel, label: Parts, own: Sequence[tuple[Curve, Look]], hand: Hand) -> int:
     """How many rows the names of an axis and of its curves take over their panel."""
-    return 1 + max((row for row, *_ in _samples(panel, label, own)), default=0)
+    return 1 + max((row for row, *_ in _samples(panel, label, own, hand)), default=0)
 
 
 def _samples(
-    panel: Panel, label: Parts, own: Sequence[tuple[Curve, Look]]
+    panel: Panel, label: Parts, own: Sequence[tuple[Curve, Look]], hand: Hand
 ) -> list[tuple[int, float, Parts, Look]]:
     """Of each named curve the row, from the lowest up, the place of its sample along x, mm, its name and look."""
     named = [((curve.name,) if isinstance(curve.name, str) else curve.name, look) for curve, look in own]
-    row, x, found = 0, panel.left + width(label, NAME) + 2 * SPACE, []
+    row, x, found = 0, panel.left + hand.wide(label, hand.name) + 2 * SPACE, []
     for name, look in named:
         if not any(name):
             continue
-        wide = SAMPLE + 1.2 + width(name, FIGURE)
+        wide = SAMPLE + 1.2 + hand.wide(name, hand.figure)
         if x + wide > panel.right and x > panel.left:
             row, x = row + 1, panel.left
         found.append((row, x, name, look))
@@ -203,55 +199,56 @@ def _samples(
 
 def _names(graph: Graph, panel: Panel, number: int) -> Iterator[Item]:
     """The name of an axis and those of its curves, with a sample of each line."""
-    own = graph.of(number)
-    samples = _samples(panel, graph.ylabels[number], own)
-    foot = panel.top + HEAD / 2 + 0.3 + (graph.over if number == 0 else 0.0)
-    top = foot + HEAD * max((row for row, *_ in samples), default=0)
-    yield Text(complex(panel.left, top), graph.ylabels[number], NAME)
+    own, hand = graph.of(number), graph.hand
+    samples = _samples(panel, graph.ylabels[number], own, hand)
+    foot = panel.top + hand.row / 2 + 0.3 + (graph.over if number == 0 else 0.0)
+    top = foot + hand.row * max((row for row, *_ in samples), default=0)
+    yield Text(complex(panel.left, top), graph.ylabels[number], hand.name)
     for row, x, name, look in samples:
-        start = complex(x, foot + HEAD * row)
+        start = complex(x, foot + hand.row * row)
         yield line(start, start + SAMPLE, look.pen)
         yield from _markers([start + SAMPLE / 2], look)
-        yield Text(start + SAMPLE + 1.2, name, FIGURE)
+        yield Text(start + SAMPLE + 1.2, name, hand.figure)
 
 
 def _x_axis(graph: Graph) -> Iterator[Item]:
     """Figures and the name of x under the lowest panel."""
-    low = graph.panels[-1]
-    foot = low.bottom - TICK - 0.6 - FIGURE / 2
+    low, hand = graph.panels[-1], graph.hand
+    foot = low.bottom - TICK - 0.6 - hand.figure / 2
     for value in _x_ticks(graph):
-        yield Text(complex(low.across(value), foot), (figure(value, graph.comma),), FIGURE, 0)
-    yield Text(complex(low.right, foot - FIGURE / 2 - 2.6), graph.xlabel, NAME, 1)
+        yield Text(complex(low.across(value), foot), (figure(value, graph.comma),), hand.figure, 0)
+    yield Text(complex(low.right, foot - hand.figure / 2 - hand.name / 2 - 1.0), graph.xlabel, hand.name, 1)
 
 
 def _numbers(graph: Graph) -> Iterator[Item]:
     """Numbers of the positions over the top panel, a tick at each."""
-    top = graph.panels[0]
+    top, size = graph.panels[0], graph.hand.figure
     marks = list(position_marks(top, graph.positions))
     if marks:
         yield Path(tuple((complex(x, top.top), complex(x, top.top + TICK)) for x, _ in marks), Pen(FRAME))
     for x, name in marks:
         if name:
-            yield Text(complex(x, top.top + TICK + 0.5 + FIGURE / 2), (name,), FIGURE, 0)
+            yield Text(complex(x, top.top + TICK + 0.5 + size / 2), (name,), size, 0)
 
 
 def _regimes(graph: Graph) -> Iterator[Item]:
     """The x of the bounds between regimes over the top panel, and over these the number of each."""
     if not len(graph.bounds):
         return
-    top = graph.panels[0]
-    foot = top.top + (NUMBERS if graph.positions else 0.0)
+    top, hand = graph.panels[0], graph.hand
+    size = hand.figure
+    foot = top.top + (hand.numbers if graph.positions else 0.0)
     places = [top.across(x) for x in graph.bounds]
     texts = [(figure(x, graph.comma),) for x in graph.bounds[1:]]
-    widths = [width(text, FIGURE) for text in texts]
+    widths = [hand.wide(text, size) for text in texts]
     within = [*places[1:-1], min(places[-1], top.right + RIGHT - 1.0 - widths[-1] / 2)]  # of the paper
     for x, at, text in zip(places[1:], _apart(within, widths), texts, strict=True):
         yield line(complex(x, foot), complex(at, foot + 1.6), Pen(FRAME))
-        yield Text(complex(at, foot + 2.0 + FIGURE / 2), text, FIGURE, 0)
+        yield Text(complex(at, foot + 2.0 + size / 2), text, size, 0)
     names = [(roman(k),) for k in range(1, len(places))]
     middles = [(a + b) / 2 for a, b in pairwise(places)]
-    for at, name in zip(_apart(middles, [width(name, FIGURE) for name in names]), names, strict=True):
-        yield Text(complex(at, foot + REGIMES - 1.4 - FIGURE / 2), name, FIGURE, 0)
+    for at, name in zip(_apart(middles, [hand.wide(name, size) for name in names]), names, strict=True):
+        yield Text(complex(at, foot + hand.regimes - 1.4 - size / 2), name, size, 0)
 
 
 def _apart(places: Sequence[float], widths: Sequence[float]) -> list[float]:

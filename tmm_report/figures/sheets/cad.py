@@ -10,7 +10,8 @@ import math
 from typing import Any
 
 from tmm_report.figures.drawing import COLOURS, Arc, Arrow, Circle, Item, Path, Pen, Text
-from tmm_report.figures.sheets.sheet import CENTRE, DASHED, HALF, LONG, MAIN, PHANTOM, SHORT, THIN, Sheet
+from tmm_report.figures.sheets.lines import CENTRE, DASHED, HALF, LONG, MAIN, PHANTOM, SHORT, THIN
+from tmm_report.figures.sheets.sheet import Sheet
 from tmm_report.figures.sheets.strokes import Letters
 
 TYPES = {
@@ -45,7 +46,8 @@ def dxf(sheet: Sheet) -> bytes:
         space = drawn.modelspace()
         frame, _ = sheet.frame
         for item in frame:
-            _add(space, item, "FRAME")
+            thick = isinstance(item, Path) and item.pen is not None and item.pen.width >= MAIN
+            _add(space, item, "FRAME" if thick else "")
         for block in sheet.blocks:
             for item in block.items:
                 _add(space, item)
@@ -116,18 +118,16 @@ def _fill(space: Any, fill: str, opacity: float) -> Any:
 
 
 def _write(space: Any, letters: Letters) -> None:
+    """As text, fitted between the ends of its strokes: as wide in whatever face a program puts in place of FONT."""
+    from ezdxf.enums import TextEntityAlignment
+
     for run in letters.runs:
-        at = letters.place(run.at)
-        look = {
-            "layer": "TEXT",
-            "style": STYLE,
-            "height": run.tall,
-            "width": letters.squeeze,
-            "insert": (at.real, at.imag),
-        }
+        look = {"layer": "TEXT", "style": STYLE, "height": run.tall, "width": letters.squeeze}
         if letters.turned:
             look["rotation"] = 180.0
-        space.add_text(literal(run.text), dxfattribs=look)
+        start, end = (letters.place(run.at + more) for more in (0.0, letters.squeeze * run.wide))
+        text = space.add_text(literal(run.text), dxfattribs=look)
+        text.set_placement((start.real, start.imag), (end.real, end.imag), TextEntityAlignment.FIT)
         for bar in letters.bars(run):
             _add(space, Path((tuple(map(letters.place, bar)),), Pen(THIN)), "TEXT")
 

@@ -18,6 +18,7 @@ TURNED = (70.0, 14.0)  # width and height of graph 26
 THICK, THIN = Pen(0.6), Pen(0.2)
 SPACE = 0.8  # mm: between letters and the line beside them
 STEP = 1.45  # from line to line, in heights of the letters
+TALLEST = 1.8  # heights of the letters that the only line of a cell needs, with what hangs below it
 TIGHT = 0.6  # letters are not squeezed more
 UPRIGHT = ((0, 0, 55), (7, 30, 55), (17, 0, 55), (40, 0, 55), (55, 0, 55), (65, 0, 55), (135, 0, 40), (150, 20, 40),
            (155, 15, 20), (167, 20, 40), (185, 0, 55))  # fmt: skip
@@ -81,8 +82,10 @@ def _letters(said: Said) -> Iterator[Letters]:
         left += wide
     for word, cell in HEADS.items():
         yield from within(cell, said.words[word])
-    yield from within((135, 15, 20, 5), f"{said.words['Лист']} {said.number}")
-    yield from within((155, 15, 30, 5), f"{said.words['Листов']} {said.count}")
+    # the number of a sheet stands where there are several, that of all of them on the first alone
+    number, count = said.number if said.count > 1 else "", said.count if said.number == 1 else ""
+    yield from within((135, 15, 20, 5), f"{said.words['Лист']} {number}")
+    yield from within((155, 15, 30, 5), f"{said.words['Листов']} {count}")
     yield from within((167, 20, 18, 15), said.scale, 5.0)
     yield from within((65, 40, 120, 15), said.designation, 7.0)
     yield from within((65, 27, 70, 13), said.name, 5.0)
@@ -104,7 +107,7 @@ def within(cell: Cell, text: str, largest: float = SMALLEST, align: int = 0) -> 
     ]
     for size, squeeze in tries:
         rows = _rows(text, size, room / squeeze)
-        held = max(1, int(tall / (STEP * size)))
+        held = max(1, 1 + int((tall - TALLEST * size) / (STEP * size)))
         fits = len(rows) <= held and all(_wide(row, size) <= room / squeeze for row in rows)
         if fits:
             break

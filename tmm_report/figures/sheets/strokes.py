@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache, cached_property, lru_cache
+from itertools import groupby
 from typing import Literal, NamedTuple
 
 from tmm_report.figures.lettering import Part, Parts
@@ -19,22 +20,20 @@ SMALLEST = 3.5  # mm: height of capitals on a sheet, indices among them
 SIZES = (3.5, 5.0, 7.0, 10.0)
 NARROW = 0.72  # of the glyphs' own width: what is left is that of type A, some 0.6 of the height with the gap
 LINE = 0.1  # of a letter, in its heights
-BELOW, ABOVE = 0.34, 1.0  # what letters reach below and above their baseline, in their heights
-DROP, RAISE, BAR = (
-    0.45,
-    0.6,
-    1.2,
-)  # how far indices stand below and above, and a vector's bar, in heights of the base
+# how far indices stand below and above, those of one symbol more so, and a vector's bar, in heights of the base
+DROP, RAISE, APART, BAR = 0.45, 0.6, 0.15, 1.2
 UNIT = 21.0  # of the glyphs' grid: the height of a capital
 
 Stroke = tuple[complex, ...]
 
 
 class Glyph(NamedTuple):
-    """Strokes of a letter one high, and how far the next stands."""
+    """Strokes of a letter one high, how far the next stands, how far it reaches below and above its baseline."""
 
     strokes: tuple[Stroke, ...]
     advance: float
+    low: float = 0.0
+    high: float = 1.0
 
 
 class Run(NamedTuple):
@@ -44,6 +43,19 @@ class Run(NamedTuple):
     at: complex
     tall: float
     bar: bool = False
+
+    @property
+    def wide(self) -> float:
+        return run_width(self.text, self.tall)
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Of its lowest and of its highest place."""
+        glyphs = [glyph(char) for char in self.text]
+        low, high = min(one.low for one in glyphs), max(one.high for one in glyphs)
+        return self.at.imag + self.tall * low, self.at.imag + self.tall * (
+            max(high, BAR) if self.bar else high
+        )
 
 
 @cache
@@ -58,8 +70,9 @@ def glyph(char: str) -> Glyph:
     if code is None:
         return Glyph(((0.1 + 0j, 0.7 + 0j, 0.7 + 1j, 0.1 + 1j, 0.1 + 0j),), 0.8 * NARROW)
     start, end = (ord(mark) - ord("R") for mark in code[:2])
-    strokes = [_stroke(one, start) for one in code[2:].split(" R")]
-    return Glyph(tuple(one for one in strokes if one), NARROW * (end - start) / UNIT)
+    strokes = tuple(one for one in (_stroke(one, start) for one in code[2:].split(" R")) if one)
+    heights = [z.imag for stroke in strokes for z in stroke] or [0.0]
+    return Glyph(strokes, NARROW * (end - start) / UNIT, min(heights), max(heights))
 
 
 def _stroke(code: str, start: int) -> Stroke:
@@ -110,10 +123,8 @@ class Letters:
     @cached_property
     def box(self) -> Box:
         left = self.at.real - self.wide * (1 + self.align) / 2
-        low = min([one.at.imag - BELOW * one.tall for one in self.runs], default=self.at.imag)
-        high = max(
-            [one.at.imag + (BAR if one.bar else ABOVE) * one.tall for one in self.runs], default=self.at.imag
-        )
+        reach = [one.reach for one in self.runs] or [(self.at.imag, self.at.imag)]
+        low, high = min(low for low, _ in reach), max(high for _, high in reach)
         first, last = self.place(complex(left, low)), self.place(complex(left + self.wide, high))
         return (
             (last.real, last.imag, first.real, first.imag)
@@ -131,19 +142,19 @@ class Letters:
         for run in self.runs:
             x = 0.0
             for char in run.text:
-                strokes, advance = glyph(char)
-                for stroke in strokes:
+                drawn = glyph(char)
+                for stroke in drawn.strokes:
                     yield tuple(
                         run.at + run.tall * complex(self.squeeze * (x + z.real), z.imag) for z in stroke
                     )
-                x += advance
+                x += drawn.advance
             yield from self.bars(run)
 
     def bars(self, run: Run) -> Iterator[Stroke]:
         """The line over a run that is a vector."""
         if run.bar:
             over = run.at + 1j * BAR * run.tall
-            yield over, over + self.squeeze * run_width(run.text, run.tall)
+            yield over, over + self.squeeze * run.wide
 
     def moved(self, by: complex) -> Letters:
         return replace(self, at=self.at + by)
@@ -153,9 +164,10 @@ class Letters:
 def _laid(parts: Parts, tall: float) -> tuple[tuple[Run, ...], float]:
     """The runs of a text from zero on, and how wide they are."""
     runs, x = list[Run](), 0.0
-    for part in parts:
-        found, x = _part(part, x, tall)
-        runs += found
+    for words, some in groupby(parts, key=lambda part: isinstance(part, str)):
+        for part in ["".join(map(str, some))] if words else some:  # words beside one another are one run
+            found, x = _part(part, x, tall)
+            runs += found
     return tuple(one for one in runs if one.text.strip()), x
 
 
@@ -167,8 +179,9 @@ def _part(part: Part, x: float, tall: float) -> tuple[list[Run], float]:
     small = index_of(tall)
     end = x + run_width(base, tall)
     runs = [Run(base, complex(x), tall, part.bar)]
-    runs += [Run(sub, complex(end, -DROP * tall), small)] if sub else []
-    runs += [Run(sup, complex(end, RAISE * tall), small)] if sup else []
+    more = APART if sub and sup else 0.0
+    runs += [Run(sub, complex(end, -(DROP + more) * tall), small)] if sub else []
+    runs += [Run(sup, complex(end, (RAISE + more) * tall), small)] if sup else []
     return runs, end + max(run_width(sub, small), run_width(sup, small))
 
 

@@ -103,7 +103,7 @@ def _dimensions(
     yield from _upright(edge, outer, 9.0, _equal(name, num(1e3 * s.number("D_out"))))
     if "h" in s:
         diameter, height = s.number("D"), s.number("h")
-        yield from _upright(edge, diameter * mm, 34.0, _equal(Symbol("D"), num(1e3 * diameter)))
+        yield from _upright(edge, diameter * mm, 42.0, _equal(Symbol("D"), num(1e3 * diameter)))
         text = _equal(Symbol("h"), num(1e3 * height))
         yield from _height(centre - width / 2, outer, height * mm, text)
     foot = centre - 1j * (outer / 2)

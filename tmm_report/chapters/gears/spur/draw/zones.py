@@ -28,7 +28,7 @@ from tmm_report.quantity.symbols import Symbol as Quantity
 WIDE, TALL, APART = 110.0, 6.0, 4.0  # mm: the active part at most, height of a bar, room between two bars
 BEYOND = 22.0  # mm: how much is seen of the pairs before and after
 STEP = 1.6  # mm between the strokes of a hatching
-NARROW, CLOSE = 12.0, 4.0  # mm: a zone in which no dimension has room, letters that would meet
+NARROW, CLOSE = 15.0, 4.0  # mm: a zone in which no dimension has room, letters that would meet
 
 
 def zones(mesh: Mesh, num: Callable[[float], str], words: Callable[[int], str], title: str = "") -> Drawing:
