@@ -122,6 +122,17 @@ def pdf_of(*objects: bytes) -> bytes:
     return written + table + trailer % (len(objects) + 1, len(written))
 
 
+def test_elements_have_numbers_of_their_own_whatever_the_browser_gave_them():
+    def of(first: int, title: bytes = b"A") -> bytes:
+        head = b"/ID (node%08d)" % first
+        cell = b"/A [<</Headers [(node%08d) (node%08d)]>>]\n/ID (node%08d)" % (first, first + 3, first + 7)
+        said = b"<</Title (%b)\n/Alt (see node00000810)>>" % title
+        return pdf_of(said, b"<<>>", b"<<%b>>" % head, b"<</ID (node%08d)>>" % (first + 3), b"<<%b>>" % cell)
+
+    assert described(of(809), "A") == described(of(1240), "A") != described(of(809, b"B"), "A")
+    assert described(of(809), "A").count(b"(node00000001)") == 2
+
+
 def test_what_looks_like_an_object_within_a_stream_is_none():
     false = b"<</Kids [6 0 R 5 0 R]>>"
     pdf = pdf_of(

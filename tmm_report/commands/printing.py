@@ -40,9 +40,9 @@ class PrintFailed(Exception):
 def print_pdf(note: bytes) -> bytes:
     """The note as the browser prints it. Raises NoBrowser, PrintFailed, or OSError where there is no place to do it.
 
-    The page loads nothing (its Content-Security-Policy) and, without what is for the screen alone, runs nothing: a
-    script still at work would number the elements of the PDF otherwise each time. The browser has a profile of its
-    own, and is stopped with all its children when its time is up.
+    The page loads nothing (its Content-Security-Policy) and, without what is for the screen alone, runs nothing: what
+    a script did meanwhile would be printed. The browser has a profile of its own, and is stopped with all its children
+    when its time is up.
     """
     note = static(note.decode()).encode()
     found: Mapping[str, int] = {}
@@ -122,6 +122,7 @@ def _leaves(pdf: bytes, number: int) -> list[int]:
 
 def described(pdf: bytes, author: str) -> bytes:
     """The PDF with its author, and without the clock: the same note gives the same bytes."""
+    pdf = _renumbered(pdf)
     record, table = _trailer(pdf)
     start, end = _span(pdf, _reference(record, b"Info"))
     title = re.search(rb"/Title (<[0-9A-F]*>|\((?:\\.|[^\\)])*\))", pdf[start:end])
@@ -137,6 +138,16 @@ def described(pdf: bytes, author: str) -> bytes:
     references = re.sub(rb"(\d{10})( \d{5} n )", moved, pdf[table:])
     references = re.sub(rb"(?<=startxref\n)\d+", lambda at: b"%d" % (int(at[0]) + longer), references)
     return pdf[:start] + body + pdf[end:table] + references
+
+
+_ELEMENT = re.compile(rb"(?<=[\[ ]\(node)\d{8}(?=\))")
+
+
+def _renumbered(pdf: bytes) -> bytes:
+    """With its elements numbered from 1: the browser's own numbers differ from one run to the next by what else it did
+    meanwhile."""
+    order = {one: b"%08d" % k for k, one in enumerate(sorted(set(_ELEMENT.findall(pdf))), 1)}
+    return _ELEMENT.sub(lambda one: order[one[0]], pdf)
 
 
 def _trailer(pdf: bytes) -> tuple[bytes, int]:

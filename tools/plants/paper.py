@@ -34,6 +34,8 @@ FAULTS = (
           tests=PRINT),
     Fault("scripts run while a note is printed", "tmm_report/commands/printing.py",
           "note = static(note.decode()).encode()", "note = bytes(note)", tests=PRINT),
+    Fault("elements of a printed note as the browser numbers them", "tmm_report/commands/printing.py",
+          "    pdf = _renumbered(pdf)\n", "", tests=PRINT),
     Fault("references of a printed note beside their objects", "tmm_report/commands/printing.py",
           "at + longer if at > start else at", "at", tests=PRINT),
     Fault("objects of a printed note by the line before in its table", "tmm_report/commands/printing.py",
