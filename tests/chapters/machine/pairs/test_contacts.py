@@ -310,7 +310,7 @@ def test_the_summary_names_efficiencies():
         loading.loads(f"language: en\ncontacts: [{{kind: screw, {KINDS['screw']}}}]")
     ).contacts
     (line,) = found.summary()
-    assert f"{found.items[0].s.number('eta'):.4f}" in str(line)
+    assert f"{found.items[0].s.number('eta'):.4g}" in str(line)
 
 
 def test_the_summary_table_has_the_angle_of_friction_of_each_pair():

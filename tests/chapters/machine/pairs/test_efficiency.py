@@ -207,7 +207,7 @@ def test_what_cannot_be_is_told_with_its_reason(text, said):
 
 def test_the_summary_names_the_whole_and_the_module_to_improve():
     (line,) = stated("{series: [{name: motor, efficiency: 0.9}, {efficiency: 0.95}]}").summary()
-    assert "0.8550" in str(line) and "motor" in str(line)
+    assert "0.855;" in str(line) and "motor" in str(line)
 
 
 def test_of_equal_modules_the_first_is_named():
