@@ -84,12 +84,15 @@ function* inText(paragraph) {
   }
 }
 
-// The formula that defines a quantity: its result is the last number of the formula. That of its very table goes first.
-function formulaOf(key, row, table) {
+// The formula that defines a quantity: its result is the last number of the formula. Tables by positions, and what is worked
+// out for one, tell of the same quantities; a mass of another table is another mass.
+const byPositions = (table) => /(_table|_\d+|^contours)$/.test(table);
+function formulaOf(key, row, table = "") {
   formulasOf();
-  const own = defining.get(key) ?? [];
-  const here = own.filter((f) => result(f).k === row);
-  return here.find((f) => result(f).t === table) ?? here[0] ?? own[0];
+  const own = (defining.get(key) ?? []).map((f) => ({ f, k: result(f).k, t: result(f).t ?? "" }));
+  const like = own.filter(({ t }) => t === table || (byPositions(t) && byPositions(table)));
+  const here = like.filter(({ k }) => k === row);
+  return (here.find(({ t }) => t === table) ?? here[0] ?? like[0])?.f;
 }
 
 // The formulas that define a quantity: its own, that of the vector or of both its components, that of the opposite reaction.
@@ -132,7 +135,7 @@ function beginnings(leading) {
   const found = new Map();
   for (const formula of leading)
     for (const one of formula.marks)
-      if (one.said && one !== result(formula) && !definedBy(one.q, one.k, one.t).length) found.set(`${one.q} ${one.said}`, one);
+      if (one.said && one.q !== "pi" && one !== result(formula) && !definedBy(one.q, one.k, one.t).length) found.set(`${one.q} ${one.said}`, one);
   return [...found.values()];
 }
 

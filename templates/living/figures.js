@@ -141,6 +141,7 @@ function liveChart(figure, chart) {
     for (const { panel, upright, curves } of marks) {
       const [bottom, top, low, high] = panel.box;
       upright.setAttribute("transform", `translate(${x} 0)`);
+      const told = [];
       for (const { curve, values, dot, letter } of curves) {
         const now = value(values);
         for (const one of [dot, letter]) one.style.display = now === null ? "none" : "";
@@ -148,9 +149,16 @@ function liveChart(figure, chart) {
         const y = -(bottom + ((now - low) / (high - low)) * (top - bottom));
         dot.setAttribute("cx", x), dot.setAttribute("cy", y);
         const left = share > 0.7;
-        letter.setAttribute("x", x + (left ? -1.6 : 1.6)), letter.setAttribute("y", y - 1.2);
+        letter.setAttribute("x", x + (left ? -1.6 : 1.6));
+        told.push([y - 1.2, letter]);
         letter.setAttribute("text-anchor", left ? "end" : "start");
         letter.textContent = `${curve.name ? `${curve.name} = ` : ""}${text(now)} ${panel.unit}`;
+      }
+      // numbers of curves that run together stand one above another
+      let room = Infinity;
+      for (const [y, letter] of told.sort(([a], [b]) => b - a)) {
+        letter.setAttribute("y", Math.min(y, room));
+        room = Math.min(y, room) - 3.2;
       }
     }
   };

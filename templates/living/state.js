@@ -31,8 +31,8 @@ function say(one, said) {
 }
 
 // Symbols in plain text with their indices below and above: M_bal, R_12^x.
-const INDEX = /(_(?:[\p{L}\p{N}]|,(?=[\p{L}\p{N}]))+|\^[\p{L}\p{N}]+)/u;
-const signed = (said) => said.split(INDEX).map((part) => (part[0] === "_" ? element("sub", {}, part.slice(1)) : part[0] === "^" ? element("sup", {}, part.slice(1)) : part));
+const INDEX = /(_(?:[\p{L}\p{N}]|,(?=[\p{L}\p{N}]))+|\^(?:\([^)\s]*\)|[\p{L}\p{N}]+))/u;
+const signed = (said) => said.split(INDEX).map((part, n) => (n % 2 ? element(part[0] === "_" ? "sub" : "sup", {}, part.slice(1)) : part));
 
 const text = (x, digits = 5) => {
   if (x === null || x === undefined) return "–";

@@ -38,7 +38,7 @@ def seen(name: str) -> dict[str, Any]:
         found["said_on_plan"] = run(
             talk, "document.getElementById(Object.keys(known.plans)[0]).querySelector('.over').textContent"
         )
-        found["explained"] = run(talk, EXPLAINED % "x => formulaOf(x.dataset.q, x.dataset.k)")
+        found["explained"] = run(talk, EXPLAINED % "x => formulaOf(x.dataset.q, x.dataset.k, x.dataset.t)")
         found["titles"] = run(
             talk,
             "[...document.querySelectorAll('main figure svg')].map(s => s.querySelector('title')?.textContent ?? '')",
@@ -48,6 +48,7 @@ def seen(name: str) -> dict[str, Any]:
             "[document.querySelectorAll('.side a').length, document.querySelectorAll('nav.contents a').length]",
         )
         found["copied"] = run(talk, COPIED)
+        found["labels"] = run(talk, LABELS) if name == "compressor" else []
         found["played"] = run(talk, PLAYED)
         found["narrow"] = narrow(talk)
         found |= {"asked": talk_asked(talk), "said": talk_said(talk)}
@@ -160,6 +161,21 @@ EXPLAINED = """
 COPIED = """
 copied([...document.querySelectorAll('main table')].find(
   t => /−\\d.*−\\d/s.test(t.textContent) && t.querySelector('[data-q=position]')), true)
+"""
+# how far apart the numbers at the cursor of a diagram with several curves stand, mm
+LABELS = """
+(async () => {
+  const [anchor] = Object.entries(known.charts).find(([, c]) => c.panels.some(p => p.curves.length > 1));
+  const figure = document.getElementById(anchor);
+  figure.scrollIntoView();
+  await new Promise(done => setTimeout(done, 300));
+  return cycle.at.flatMap(at => {
+    show(at);
+    const texts = [...figure.querySelectorAll('.cursor text')].filter(x => x.style.display !== 'none');
+    const ys = texts.map(x => Number(x.getAttribute('y'))).sort((a, b) => a - b);
+    return ys.slice(1).map((y, k) => y - ys[k]);
+  });
+})()
 """
 PLAYED = """
 new Promise(done => {
@@ -325,6 +341,11 @@ def test_a_table_copies_as_numbers():
         float(cell.replace(",", ".")) is not None for cell in cells if cell and cell[0] in "-0123456789"
     )
     assert not any("\u2212" in cell for cell in cells)
+
+
+def test_numbers_at_a_cursor_stand_apart():
+    """Also where the curves of a diagram run together."""
+    assert len(seen("compressor")["labels"]) > 30 and min(seen("compressor")["labels"]) > 2.9
 
 
 def test_it_plays():

@@ -127,8 +127,11 @@ def clicked() -> dict[str, Any]:
             "force": run(talk, CLICKED % ("R_24", 7, "force_comparison_7")),
             "wheel": run(talk, CLICKED % ("s_a", 1, "stage2_wheels")),
             "plan": run(talk, CLICKED % ("v_D", 7, "comparison_7")),
+            "mass": run(talk, CLICKED % ("m", 2, "masses")),
             "defined": run(talk, "[...defining.keys()]"),
-            "components": run(talk, "defining.delete('v_D'), definedBy('v_D', '7').map(f => result(f).q)"),
+            "components": run(
+                talk, "defining.delete('v_D'), definedBy('v_D', '7', 'rates_table').map(f => result(f).q)"
+            ),
             "shown": run(
                 talk, "[...new Set([...document.querySelectorAll('main [data-q]')].map(x => x.dataset.q))]"
             ),
@@ -174,6 +177,12 @@ def test_a_vector_of_a_comparison_is_told_by_the_plan_and_by_its_components():
         one[:3] for one in said
     ].index("vB ")
     assert len(force["places"]) > 3  # the equations of the force polygon are among them
+
+
+def test_a_number_of_one_table_is_not_told_by_the_formula_of_another():
+    """The mass of a link is given; that of a point into which links are substituted has a formula and the same key."""
+    assert any(marks[-1][0] == "m" for *_, marks, _ in data("compressor")["told"]["left"])
+    assert clicked()["mass"]["formulas"] == []
 
 
 def test_a_vector_without_a_formula_stands_upon_those_of_its_components():

@@ -31,6 +31,8 @@ FAULTS = (
           "                overhear(self, write)", "                pass", "compressor", TOLD),
     Fault("what is read off a plan stands in front of its equation", SCRIPT + "fellows.js",
           "!formulas[at].marks.length) at++", "!formulas[at].marks.length) break", "compressor", TOLD),
+    Fault("numbers of curves that meet stand upon one another", SCRIPT + "figures.js",
+          "Math.min(y, room) - 3.2", "Infinity", "compressor", SEEN),
     Fault("a name ends the block of data", LIVING + "__init__.py",
           '.replace("<", "\\\\u003c")', "", "compressor", DATA),
     Fault("the script is not the one that the policy allows", LIVING + "__init__.py",
