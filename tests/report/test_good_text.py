@@ -29,7 +29,7 @@ from tmm_report.languages import DEFAULT, LANGUAGES
 from tmm_report.quantity.sheet import Q
 from tmm_report.quantity.symbols import Symbol, math_symbol
 from tmm_report.quantity.text import UNITS, unit_text
-from tmm_report.report.sources import SOURCES
+from tmm_report.report.sources import SOURCES, Cited
 
 CHAPTERS = Path(__file__).resolve().parents[2] / "templates" / "chapters"
 QUICK = ["compressor-ru", "governor_servo-en"]
@@ -73,6 +73,13 @@ def test_sources_are_numbered_in_the_order_in_which_the_text_cites_them(name):
     for group in re.findall(r"\[(<a href=\"#source.*?)\]", text):
         together = [int(one) for one in re.findall(r"#source(\d+)", group)]
         assert together == sorted(set(together))
+
+
+def test_sources_of_what_was_put_off_come_behind_those_of_the_text():
+    cited = Cited("; ")
+    put_off, text = (cited.mark(names, str) for names in (["wear", "rack"], ["balancing", "rack"]))
+    assert cited.order(f"[{text}]") == ["balancing", "rack", "wear"]
+    assert cited.resolved(f"[{text}] [{put_off}]") == "[1; 2] [2; 3]"
 
 
 @in_every_language
