@@ -25,7 +25,7 @@ from tmm_report.course import solve
 from tmm_report.i18n import Translator
 from tmm_report.note import parts
 from tmm_report.problems import ProblemError
-from tmm_report.quantity.formula import Formula
+from tmm_report.quantity.formula import PI, Formula, Var
 from tmm_report.report.plain import text
 from tmm_report.results import tables, values
 
@@ -279,3 +279,9 @@ def test_the_same_question_has_the_same_answer():
 @pytest.mark.exhaustive
 def test_the_reaction_turned_round_is_explained_as_the_reaction_that_it_is():
     assert told("compressor", "R_54", 2) == told("compressor", "R_45", 2)
+
+
+def test_a_formula_has_the_sign_of_half_a_turn():
+    """By its name "pi" would be read as the point p of a link, as it is in an index."""
+    half = Formula("omega", PI * Var("n", 600.0, "rpm") / 30, "rad/s")
+    assert text(half, Translator("en")).startswith("ω = π·n/30 = ")

@@ -105,7 +105,7 @@ class Plain(Latex):
     def _symbol(self, symbol: Symbol) -> str:
         if symbol.kind == "segment":
             return symbol.base
-        return self.indexed(self.text(symbol.base), self.text(symbol.sub), self.text(symbol.sup))
+        return self.indexed(self.text(symbol.base, base=True), self.text(symbol.sub), self.text(symbol.sup))
 
     def indexed(self, base: str, sub: str, sup: str) -> str:
         below = f"_{sub}" if sub else ""

@@ -118,16 +118,15 @@ def _line(line: Line, tr: Translator) -> Iterator[str]:
 
 def _inputs(target: Target, told: Told, tr: Translator) -> Iterator[str]:
     """The numbers with which it starts; of a table of things what stands in the row beside its number."""
-    given = {_input(one, tr): one for one in chain.from_iterable(told.inputs)}
+    given = dict.fromkeys(_meant(one, tr) for one in chain.from_iterable(told.inputs))
     if not given:
         return
     yield tr.gettext(N_("It starts with:"))
     if target.table is None or len(told.inputs) == 1:
-        named = [f"  {line} – {said(one.quantity.meaning, tr)}" for line, one in given.items()]
-        yield from _short(named, tr)
+        yield from _short([f"  {line}" for line in given], tr)
         return
     shared = [one for one in told.inputs[0] if all(one in row for row in told.inputs)]
-    yield from (f"  {_input(one, tr)} – {said(one.quantity.meaning, tr)}" for one in shared)
+    yield from (f"  {_meant(one, tr)}" for one in shared)
     rows = ([_input(one, tr) for one in row if one not in shared] for row in told.inputs)
     yield from _short([f"  {n}: {', '.join(row)}" for n, row in enumerate(rows, 1) if row], tr)
 
@@ -146,11 +145,17 @@ def _short(every: list[str], tr: Translator) -> Iterator[str]:
         yield f"  {tr.gettext(MORE) % {'count': len(every) - MOST_INPUTS}}"
 
 
+def _meant(one: Input, tr: Translator) -> str:
+    """With its meaning: m = 2 kg – mass of the link."""
+    line = _input(one, tr)
+    return line if isinstance(one.number, str) else f"{line} – {said(one.quantity.meaning, tr)}"
+
+
 def _input(one: Input, tr: Translator) -> str:
-    """A number or a text of the results: m = 2 kg."""
-    name = Plain(tr).symbol(one.symbol) if one.symbol is not None else one.quantity.key
+    """A number or a text of the results: m = 2 kg; the member held: H."""
     if isinstance(one.number, str):
-        return f"{name}: {one.number}"
+        return f"{said(one.quantity.meaning, tr)}: {one.number}"
+    name = Plain(tr).symbol(one.symbol) if one.symbol is not None else one.quantity.key
     return f"{name} = {number(one.number, DIGITS, tr.decimal, scale=0.0)}{gap(one.unit, tr)}"
 
 
