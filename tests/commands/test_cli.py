@@ -45,7 +45,7 @@ def test_solve_writes_the_note_and_sums_up(tmp_path):
     assert not [name for name in written if name.endswith(".part")]
     assert "I(0,1) → II2(2,3) → II2(4,5)" in done.output
     assert re.search(r"graphical method: 0\.0\d+ %", done.output)
-    assert re.search(r"lever \d\.\de-1\d, power balance \d\.\de-1\d", done.output)
+    assert re.search(r"lever [\d.]+·10⁻¹[⁰-⁹], power balance [\d.]+·10⁻¹[⁰-⁹]", done.output)
     assert str(tmp_path / "out" / "note.html") in done.output
 
 

@@ -120,24 +120,6 @@ def test_what_the_department_states_is_watched_too(watching):
     assert len(watching.page()) < 0.9 * before
 
 
-def test_a_round_of_the_shaper_is_short(tmp_path):
-    """Of processor time, as the machine may do other work; the first round loads what the next ones find loaded."""
-    (tmp_path / "my.yaml").write_text(SHAPER, encoding="utf-8")
-    took = []
-
-    live = watch.Live(tmp_path / "o")
-
-    def solved() -> None:
-        watch.solve.run(tmp_path / "my.yaml", tmp_path / "o", watch.FORMATS, None, Heard(), shown=live.show)
-
-    for _ in range(4):
-        began = time.process_time()
-        watch._settled(tmp_path / "my.yaml")
-        watch._round(solved, live, None, Heard())
-        took.append(time.process_time() - began + watch.PAUSE + watch.SETTLED)
-    assert min(took[1:]) < 0.7
-
-
 def test_what_takes_longer_is_made_behind_the_page(tmp_path, monkeypatch):
     """The page shows the note before another format is begun; a save in between ends the round there."""
     (tmp_path / "my.yaml").write_text(SHAPER, encoding="utf-8")
