@@ -9,7 +9,6 @@ DRIVE = "tmm_report/chapters/gears/drive/draw/"
 MOVES = ("tests/living/test_living_moves.py",)
 LOADS = ("tests/living/test_living_loads.py",)
 TOLD = ("tests/living/test_living_told.py",)
-PACE = ("tests/living/test_living_pace.py",)
 DATA, SEEN = ("tests/living/test_living_data.py",), ("tests/living/test_living_page.py",)
 
 FAULTS = (
@@ -87,8 +86,6 @@ FAULTS = (
     Fault("a star in the name of a number stands for a dot", "tmm_report/quantity/ways.py",
           'if "." not in before and name.startswith(part, at):', "if name.startswith(part, at):", "compressor",
           ("tests/quantity/test_fitting_names.py",)),
-    Fault("each frame measures and paints the whole page", SCRIPT + "living.css",
-          ".living main > * { position: relative; }", "", "compressor", PACE),
     Fault("figures have no names but their own", "tmm_report/figures/drawing.py",
           "title = drawing.title or title", "title = drawing.title", "crank_rocker",
           ("tests/page/drawings/test_titles.py",)),
