@@ -213,6 +213,10 @@ def printed(talk: Talk) -> bytes:
     return base64.b64decode(sheet["data"])
 
 
+class NavigatedError(Exception):
+    """The page that was asked went over to another before it could answer."""
+
+
 @dataclass
 class Talk:
     """Questions to the browser and its answers; what it tells unasked is kept as events."""
@@ -232,6 +236,8 @@ class Talk:
         os.write(self.to, json.dumps(message).encode() + b"\0")
         while (answer := self.heard()).get("id") != self.count:
             self.events.append(answer)
+        if "navigated" in answer.get("error", {}).get("message", ""):
+            raise NavigatedError(method)
         assert "result" in answer, (method, answer)
         return answer["result"]
 
