@@ -2,6 +2,7 @@
 
 import gc
 import os
+import signal
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -14,6 +15,10 @@ from tmm_report import backwards, course
 from tmm_report.loading import load
 
 pytest_plugins = ["cpu", "exhaustive"]
+
+# what a shell starts in the background ignores Ctrl-C; the programs that tests interrupt would inherit this
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # few examples and new ones, so that something new is found now and then; or more, the same at every run
 settings.register_profile("dev", deadline=None, max_examples=15)
