@@ -37,7 +37,7 @@ def set_by_tex(files: dict[str, bytes], whole: bool = False) -> tuple[str, bytes
         )
         for run in (files if whole else bare(files), files):
             write(run, folder)
-            subprocess.run(command, cwd=folder, env=env, capture_output=True, timeout=120)
+            subprocess.run(command, cwd=folder, env=env, capture_output=True, timeout=300)
         # the log breaks lines at 79 bytes
         log = (folder / "note.log").read_text(encoding="utf-8", errors="replace")
         return re.sub(r"(?<=[^\n]{79})\n", "", log), (folder / "note.pdf").read_bytes()
@@ -68,7 +68,7 @@ def set_by_libreoffice(file: bytes) -> bytes:
         note = Path(place, "note.docx")
         note.write_bytes(file)
         command = [office, "--headless", f"-env:UserInstallation=file://{place}/own", "--convert-to", "pdf"]
-        subprocess.run([*command, "--outdir", place, str(note)], capture_output=True, timeout=300, check=True)
+        subprocess.run([*command, "--outdir", place, str(note)], capture_output=True, timeout=600, check=True)
         return note.with_suffix(".pdf").read_bytes()
 
 

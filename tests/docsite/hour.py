@@ -15,7 +15,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-SECONDS = 90
+SECONDS = 240
 _WAITS = re.compile(r"Ctrl-C \w+$", re.M)  # the last line of a round
 _BLOCK = re.compile(r"^```(console|diff|pycon)\n(.*?)^```$", re.M | re.S)
 _PASSING = re.compile(r"^\d+\.\d\d(?= [sс];)|\d(?:[.,]\d)?·10⁻¹\d", re.M)  # seconds, and what rounding leaves

@@ -37,7 +37,7 @@ def confined(program: str, *args: str | Path, memory: int = MEMORY, seconds: int
         [sys.executable, "-X", "utf8", "-c", code, *map(str, args)],
         capture_output=True,
         encoding="utf-8",
-        timeout=120,
+        timeout=300,
     )
     assert (done.returncode, done.stderr) == (0, ""), done.stderr[-2000:]
     return done.stdout

@@ -68,7 +68,7 @@ def test_latex_prints_it_literally(hostile, tmp_path):
         (tmp_path / name).write_bytes(content)
     before = {path.name for path in tmp_path.iterdir()}
     command = [program("pdflatex"), "-shell-escape", "-interaction=nonstopmode", "-halt-on-error", "note.tex"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=120)
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=300)
     assert done.returncode == 0, done.stdout.decode("utf-8", "replace")[-1500:]
     new = {path.name for path in tmp_path.iterdir()} - before
     assert {Path(name).suffix for name in new} <= {".aux", ".log", ".pdf", ".out", ".toc"}

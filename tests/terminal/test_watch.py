@@ -24,7 +24,7 @@ from tmm_report.problems import Message, Problem, ProblemError
 SHAPER = (VARIANTS / "shaper.yaml").read_text("utf-8")
 WRONG = re.sub(r"speed: \d+ rpm", "speed: 70 rpmm", SHAPER)
 OTHER = re.sub(r"speed: \d+ rpm", "speed: 70 rpm", SHAPER)
-SECONDS = 60
+SECONDS = 180
 
 
 def run(*arguments: object):
