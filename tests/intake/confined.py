@@ -25,7 +25,7 @@ def own():
 
 if sys.platform == "linux":
     limit("RLIMIT_AS", own() + {memory})
-    limit("RLIMIT_CPU", {seconds} + 3)  # the imports have taken some
+    limit("RLIMIT_CPU", {seconds} + 10)  # the imports have taken some
 """
 MEMORY = 200 * 2**20
 

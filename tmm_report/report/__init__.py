@@ -207,5 +207,6 @@ def _own_files(given: Mapping[str, Any], page: Page) -> dict[str, Any]:
         }
         for family, style, file in FACES
     ]
-    style = re.sub(r"/\*.*?\*/|\s*([{};])\s*", r"\1", (root / "style.css").read_text("utf-8"), flags=re.S)
+    text = (root / "style.css").read_text("utf-8")
+    style = re.sub(r"/\*.*?\*/|\s*([{};])\s*|(?<=[:,])\s+", r"\1", text, flags=re.S)
     return {"style": Markup(style), "faces": faces}
