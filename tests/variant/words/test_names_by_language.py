@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 import pickle
 import re
+from collections.abc import Iterator
 
 import pytest
-from conftest import FILES, solved
+import yaml
+from conftest import ALL_FILES, FILES, solved
 from exhaustive import many
 from notes import NAMES, note, render
 
@@ -17,15 +19,17 @@ from tmm_report.languages import LANGUAGES
 from tmm_report.problems import N_, Called, Message, ProblemError
 
 SOURCE = next(file for file in FILES if file.stem == "crank_rocker").read_text("utf-8")
-CYRILLIC = re.compile("[А-яЁё]")
+CYRILLIC = re.compile("[\u0400-\u04ff]")
+TITLE = ("institution", "department", "topic", "student", "teacher", "group", "city")
+LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 KNOWN = ", ".join(LANGUAGES)
 TEXT = re.compile(r">([^<]*)<")
 
 
 def written(tmp_path, topic: str, load_name: str):
-    text = re.sub(r"(?m)^  topic: .*$", f"  topic: {topic}", SOURCE)
-    text, count = re.subn(r"(?m)^    - name: .*$", f"    - name: {load_name}", text, count=1)
-    assert count == 1
+    text, topics = re.subn(r"(?ms)^  topic: .*?(?=^  \w)", f"  topic: {topic}\n", SOURCE)
+    text, names = re.subn(r"(?ms)^    - name: .*?(?=^      \w)", f"    - name: {load_name}\n", text, count=1)
+    assert topics == names == 1
     file = tmp_path / "my.yaml"
     file.write_text(text, encoding="utf-8")
     return file
@@ -89,6 +93,46 @@ def test_what_is_no_name(tmp_path, name, en, ru):
     (problem,) = raised.value.problems
     assert en in problem.text() and ru in problem.text(Translator("ru").gettext)
     assert problem.line and problem.path[-1] == "name"
+
+
+def texts_of_ready_variants() -> Iterator[tuple[str, str, dict[str, str]]]:
+    """File, key, the text by languages; one that has no letter but Latin ones needs no language."""
+
+    def walk(value: object, key: str) -> Iterator[tuple[str, dict[str, str]]]:
+        if isinstance(value, dict) and value.keys() & LANGUAGES.keys():
+            yield key, value
+        elif isinstance(value, dict):
+            for inner, one in value.items():
+                yield from walk(one, str(inner))
+        elif isinstance(value, list):
+            for one in value:
+                yield from walk(one, key)
+        elif key in TITLE or key == "name":
+            yield key, dict.fromkeys(LANGUAGES if not CYRILLIC.search(str(value)) else ["ru"], str(value))
+
+    for file in ALL_FILES:
+        for key, text in walk(yaml.load(file.read_text("utf-8"), LOADER), ""):
+            yield file.stem, key, text
+
+
+def test_the_texts_of_ready_variants_are_in_every_language_by_its_letters():
+    """Of words that are no names of persons, places or groups Kazakh has its own, too."""
+    found = [*texts_of_ready_variants()]
+    assert len(found) > 500
+    assert [text for *text, by in found if [*by] != [*LANGUAGES]] == []
+    odd = {
+        (file, key, code, text)
+        for file, key, by in found
+        for code, text in by.items()
+        if {*CYRILLIC.findall(text.lower())} - {*LANGUAGES[code].alphabet}
+    }
+    assert odd == set()
+    same = {
+        by["ru"]
+        for _, key, by in found
+        if key in TITLE[:3] and CYRILLIC.search(by["ru"]) and by["kk"] == by["ru"]
+    }
+    assert same == set()
 
 
 def test_a_name_says_itself_and_is_told_from_one_that_begins_alike():
