@@ -111,7 +111,7 @@ def test_a_wrong_number_of_the_students_own_is_told_with_its_place(tmp_path):
     text = re.sub(r"\bv_C: [\d.]+", "v_C: 99", (VARIANTS / "compressor.yaml").read_text("utf-8"))
     batch([write(tmp_path / "one", own=text)], tmp_path / "out")
     (row,) = rows(tmp_path / "out")
-    assert row["status"] == "check"
+    assert row["status"] == "check" and row["student"] == "Ivanov I. I."  # in the language of the note
     assert re.search(r"own\.yaml:\d+:\d+: readings\.\d+\.v_C: ", row["messages"])
 
 

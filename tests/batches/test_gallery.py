@@ -47,6 +47,7 @@ def test_the_committed_gallery_shows_the_ready_variants():
     pictures = {f"{file.stem}.svg" for file in ALL_FILES}
     assert {file.name for file in COMMITTED.iterdir()} == {"README.md", *pictures}, built
     assert "Not solved" not in page and "Cannot be assembled" not in page
+    assert not re.search("[\u0400-\u04ff]", page), built
     assert variants() == ALL_FILES
 
 
@@ -72,6 +73,9 @@ def test_a_bad_variant_has_its_reason_and_the_others_go_on(folder, tmp_path):
         "tangent.svg",
     }
     assert "(../my%20variants/tangent.yaml)" in page
+    topic = "Crank-rocker mechanism of a conveyor drive"
+    assert f"[{topic}](#crank_rocker)" in page and f"\n\n{topic}\n\n![{topic}](crank_rocker.svg)" in page
+    assert f">{topic}</title>" in (tmp_path / "out" / "crank_rocker.svg").read_text("utf-8")
     assert f"{folder / 'unsaid.yaml'}:" in done.output and "a_bad.yaml:" in done.output
 
 

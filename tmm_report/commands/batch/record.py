@@ -15,8 +15,9 @@ from typing import Any
 
 from tmm_report.commands.batch.inputs import Task
 from tmm_report.course import LeverFound, Results
+from tmm_report.i18n import Translator
 from tmm_report.mechanics.lever.cycle import larger
-from tmm_report.problems import N_, Message, Problem
+from tmm_report.problems import N_, Message, Problem, in_language
 from tmm_report.running.journal import Record
 
 DONE, CHECK, WRONG, LOST = "done", "check", "wrong", "lost"
@@ -36,13 +37,22 @@ def failed(
 
 
 def finished(
-    task: Task, results: Results, warned: Iterable[Problem], good: bool, files: Mapping[str, bytes]
+    task: Task,
+    results: Results,
+    warned: Iterable[Problem],
+    good: bool,
+    files: Mapping[str, bytes],
+    tr: Translator,
 ) -> Record:
-    """Of a variant that was solved and written. `warned`: what its checks say."""
+    """Of a variant that was solved and written. `warned`: what its checks say; `tr`: of its note."""
     title, lever = results.variant.title, results.lever
     problems = [replace(problem, file=task.label) for problem in warned]
     return _record(task, DONE if good else CHECK, problems) | {
-        **{name: text for name in TITLE if (text := " ".join(getattr(title, name).split()))},
+        **{
+            name: text
+            for name in TITLE
+            if (text := " ".join(in_language(getattr(title, name), tr.gettext).split()))
+        },
         "language": results.variant.language,
         **({"formula": lever.structure.formula} if lever is not None else {}),
         "numbers": {key: [value, unit] for key, value, unit in _numbers(results) if math.isfinite(value)},

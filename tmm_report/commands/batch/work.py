@@ -97,9 +97,10 @@ def _written(
     for fmt in formats:
         files |= render(results, fmt, language)
     heard = _Heard()
-    good = summary(results, translator(results.variant, language), heard)
+    tr = translator(results.variant, language)
+    good = summary(results, tr, heard)
     _place(output, task.id, files)
-    return record.finished(task, results, heard.warned, good, files)
+    return record.finished(task, results, heard.warned, good, files, tr)
 
 
 class _Heard:

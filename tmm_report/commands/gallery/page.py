@@ -19,7 +19,7 @@ from tmm_report.i18n import Translator
 from tmm_report.mechanics.lever.assur_groups import ROMAN
 from tmm_report.mechanics.lever.cycle import Extreme, larger
 from tmm_report.note import picture as drawing_of
-from tmm_report.problems import Message, Problem
+from tmm_report.problems import Message, Problem, in_language
 from tmm_report.records import dataclass
 from tmm_report.report.formats import Html
 from tmm_report.report.numbering import Numbering
@@ -45,10 +45,10 @@ class Entry:
     def picture(self) -> str:
         return f"{self.name}.svg"
 
-    @property
-    def topic(self) -> str:
+    def topic(self, tr: Translator) -> str:
+        """What it is about, on one line."""
         stated = self.results.variant.title.topic if self.results is not None else ""
-        return " ".join(stated.split()) or self.name
+        return " ".join(in_language(stated, tr.gettext).split()) or self.name
 
     @property
     def mistake(self) -> Problem:
@@ -109,7 +109,7 @@ def picture(entry: Entry, tr: Translator) -> dict[str, bytes]:
     """The scheme as the note draws it, on white, by its name; nothing for what is not solved."""
     if entry.results is None:
         return {}
-    drawn = replace(drawing_of(entry.results, Page(Html(), tr, Numbering())), title=entry.topic)
+    drawn = replace(drawing_of(entry.results, Page(Html(), tr, Numbering())), title=entry.topic(tr))
     return {entry.picture: (svg(_on_white(drawn)) + "\n").encode()}
 
 
