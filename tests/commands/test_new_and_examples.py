@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import re
 from functools import cache
+from pathlib import Path
+from typing import Any
 
 import jsonschema
 import pytest
@@ -43,8 +45,19 @@ def listed(*arguments: object, **env: str) -> dict[str, str]:
     return dict(re.split(r"  +", line, maxsplit=1) for line in done.output.splitlines())
 
 
-def stated(name: str) -> dict:
-    return yaml.safe_load((VARIANTS / f"{name}.yaml").read_text("utf-8"))
+def stated(name: str, folder: Path = VARIANTS) -> dict:
+    return yaml.safe_load((folder / f"{name}.yaml").read_text("utf-8"))
+
+
+def in_one(value: Any, code: str) -> Any:
+    """Data with each text by languages in one of them."""
+    if isinstance(value, dict):
+        return (
+            value[code]
+            if [*value] == [*LANGUAGES]
+            else {key: in_one(one, code) for key, one in value.items()}
+        )
+    return [in_one(one, code) for one in value] if isinstance(value, list) else value
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -126,10 +139,13 @@ def test_open_draws_the_scheme(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("name", many(["shaper", *NAMES], 2))
-def test_a_copy_is_the_ready_variant_behind_a_line_for_the_editor(name, tmp_path):
+def test_a_copy_is_the_ready_variant_in_one_language_behind_a_line_for_the_editor(name, tmp_path):
     place = tmp_path / "my.yaml"
     assert run("new", "--like", name, "-o", place).exit_code == 0
-    assert place.read_text("utf-8") == FIRST + (VARIANTS / f"{name}.yaml").read_text("utf-8")
+    original = stated(name)
+    text = place.read_text("utf-8")
+    assert text.startswith(FIRST) and yaml.safe_load(text) == in_one(original, original["language"])
+    assert re.findall("#.*", text)[1:] == re.findall("#.*", (VARIANTS / f"{name}.yaml").read_text("utf-8"))
     schema = json.loads((tmp_path / SCHEMA).read_text("utf-8"))
     as_read = read(place).data
     assert f"# yaml-language-server: $schema={SCHEMA}\n" == FIRST
@@ -139,8 +155,9 @@ def test_a_copy_is_the_ready_variant_behind_a_line_for_the_editor(name, tmp_path
 
 def test_a_copy_has_the_name_of_its_original_and_the_language_that_is_asked_for(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    assert run("new", "--like", "shaper", "--lang", "en").exit_code == 0
-    assert load(tmp_path / "shaper.yaml").language == "en"
+    assert run("new", "--like", "shaper", "--lang", "uk").exit_code == 0
+    original = stated("shaper")
+    assert stated("shaper", tmp_path) == in_one(original, "uk") | {"language": "uk"}
     assert run("new", "--like", "shaper").exit_code == 2  # never overwritten
     assert run("new", "a.yaml", "-o", "b.yaml").exit_code == 2
     assert run("new", "--like", "shaper", "--kind", "cam").exit_code == 2

@@ -9,12 +9,15 @@ from pathlib import Path
 
 from tmm_report.commands.examples import KINDS, kind_in_english, named, ready
 from tmm_report.commands.talk import Talk, failure, reason, written
+from tmm_report.languages import DEFAULT, LANGUAGES, stated_in
 from tmm_report.problems import N_, Message, shown
 from tmm_report.variant import new
 
 SCHEMA = "variant.schema.json"
 FIRST = f"# yaml-language-server: $schema={SCHEMA}\n"
 _LANGUAGE = re.compile(r"^language:[ ]*\w+", re.M)
+_SAID = rf'({"|".join(LANGUAGES)}): ("[^"\n]*"|[^",{{}}\n]+)'  # a text in one language: its code, the text
+_BY_LANGUAGES = re.compile(rf"\{{{_SAID}(?:,\s+{_SAID})*\}}|\n(?: +{_SAID}\n)+")
 FIRST_KIND = next(iter(KINDS))
 
 
@@ -53,9 +56,19 @@ def place(file: Path | None, output: Path | None, like: str | None) -> Path:
 
 
 def _copy(like: str, lang: str | None) -> str:
-    """The text of a ready variant. Raises ProblemError."""
+    """The text of a ready variant in one language, by default its own. Raises ProblemError."""
     text = named(ready(), like).file.read_text("utf-8")
+    own = partial(_in_one, code=lang or stated_in(text) or DEFAULT)
+    text = _BY_LANGUAGES.sub(own, text)
     return text if lang is None else _LANGUAGE.sub(f"language: {lang}", text, count=1)
+
+
+def _in_one(found: re.Match[str], code: str) -> str:
+    """Of a text by languages that of one; whole where it has none in that."""
+    said = dict(re.findall(_SAID, found[0])).get(code)
+    if said is None:
+        return found[0]
+    return f" {said}\n" if found[0].startswith("\n") else said
 
 
 def _made(file: Path, text: str) -> None:
