@@ -8,6 +8,7 @@ from itertools import chain, pairwise
 
 import numpy as np
 from conftest import solved
+from exhaustive import NAMES
 
 from tmm_report import sheets
 from tmm_report.commands.files import translator
@@ -20,52 +21,57 @@ from tmm_report.sheets.pictures import Figure
 
 HAIR = 0.2  # mm: letters of 3.5 mm in rows of 5 mm come as near
 
+EVERY = tuple(sorted(NAMES))
 # of all five kinds, of several sheets, alone, without a lever mechanism
-VARIANTS = (
-    "compressor",
-    "hoist_drive",
-    "cam_press",
-    "engine_balance",
-    "shaper_project",
-    "valve_cam",
-    "rotor",
-)
+SOME = ("compressor", "hoist_drive", "cam_press", "shaper_project", "rotor")
+
+
+@cache
+def pictures_of(name: str) -> list[Figure]:
+    results = solved(name)
+    return sheets.figures(results, translator(results.variant))
 
 
 @cache
 def sheets_of(name: str) -> tuple[Sheet, ...]:
     results = solved(name)
-    return tuple(sheets.composed(results, translator(results.variant)))
+    return tuple(sheets.composed(results, translator(results.variant), pictures_of(name)))
 
 
 @cache
 def files_of(name: str) -> dict[str, bytes]:
-    results = solved(name)
-    return sheets.render(results, translator(results.variant))
+    return sheets.written(sheets_of(name))
 
 
 def ink(block: Block) -> Box:
     """What the lines of a picture and of its letters take, by all of their points."""
     strokes = chain.from_iterable(item.outline() for item in block.items)
     letters = chain.from_iterable(one.path.strokes for one in block.letters)
-    points = list(chain.from_iterable(chain(strokes, letters)))
-    x, y = [z.real for z in points], [z.imag for z in points]
-    return min(x), min(y), max(x), max(y)
+    points = np.array(list(chain.from_iterable(chain(strokes, letters))))
+    x, y = points.real, points.imag
+    return x.min(), y.min(), x.max(), y.max()
 
 
 def form_letters(sheet: Sheet) -> tuple[Letters, ...]:
     return sheet.frame[1]
 
 
+@cache
+def _reach(text: str, squeeze: float) -> Box:
+    """What the lines of letters one high take, by all of their points, from where their line begins."""
+    alone = Letters(0j, (text,), 1.0, squeeze=squeeze)
+    points = np.array([z for stroke in alone.path.strokes for z in stroke]) - alone.runs[0].at
+    return points.real.min(), points.imag.min(), points.real.max(), points.imag.max()
+
+
 def boxes(one: Letters) -> Iterator[Box]:
-    """What each run of letters takes with its lines, by all of their points, but for a hair."""
+    """What each run of letters takes with its lines but for a hair."""
     half = LINE * one.tall / 2 - HAIR
     for run in one.runs:
-        alone = Letters(0j, (run.text,), run.tall, squeeze=one.squeeze)
-        (start,) = (found.at for found in alone.runs)
-        points = [one.place(run.at + z - start) for stroke in alone.path.strokes for z in stroke]
-        x, y = [z.real for z in points], [z.imag for z in points]
-        yield min(x) - half, min(y) - half, max(x) + half, max(y) + half
+        left, low, right, high = _reach(run.text, one.squeeze)
+        ends = [one.place(run.at + run.tall * z) for z in (complex(left, low), complex(right, high))]
+        x, y = sorted(z.real for z in ends), sorted(z.imag for z in ends)
+        yield x[0] - half, y[0] - half, x[1] + half, y[1] + half
 
 
 def written(one: Letters) -> str:
@@ -82,31 +88,30 @@ def touching(letters: Sequence[Letters]) -> Iterator[tuple[str, str]]:
 
 
 def crossed(block: Block) -> list[str]:
-    """Texts through which a line goes, a leader among them, a leader among them."""
+    """Texts through which a line goes, a leader among them."""
     seen = [
         item for item in block.items if getattr(item, "pen", None) or getattr(item, "fill", "") == "black"
     ]
     strokes = [stroke for item in seen for stroke in item.outline()]
     lines = np.array([pair for stroke in strokes for pair in pairwise(stroke)], complex).reshape(-1, 2)
-    found = []
-    for one in block.letters:
-        if any(cut(np.array(box), lines).any() for box in boxes(one)):
-            found.append(written(one))
-    return found
+    taken = [(one, box) for one in block.letters for box in boxes(one)]
+    room = np.array([box for _, box in taken]).reshape(-1, 4)
+    low, high = lines.min(axis=1), lines.max(axis=1)  # by the real part
+    beside = (high.real <= room[:, :1]) | (low.real >= room[:, 2:3])
+    k, near = np.nonzero(~beside)
+    through = k[cut(room[k], lines[near])]
+    return [written(taken[k][0]) for k in dict.fromkeys(through.tolist())]
 
 
-def figures_of(name: str) -> Iterator[tuple[Figure, float, Block]]:
-    """Every picture of the note, how many times as large it is on its sheet, and it there."""
-    results = solved(name)
-    tr = translator(results.variant)
-    titles = {
-        one.titled(times, tr): (one, times)
-        for one in sheets.figures(results, tr)
-        for times in (1.0, *one.larger)
-    }
-    for sheet in sheets_of(name):
-        for block in sheet.blocks:
-            yield (*titles[block.title], block)
+def figures_on(sheet: Sheet, name: str) -> Iterator[tuple[Figure, float, Block]]:
+    """Every picture of a sheet as it is in the note, how many times as large it is on the sheet, and it there."""
+    for block in sheet.blocks:
+        yield next(
+            (figure, times, block)
+            for figure in pictures_of(name)
+            for times, made in figure.made.items()
+            if made.title == block.title and np.allclose(made.size, block.size)
+        )
 
 
 def lines_of(figure: Figure, block: Block) -> Iterator[tuple[Path, Path]]:

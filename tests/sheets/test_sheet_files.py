@@ -8,7 +8,7 @@ from zlib import decompress
 
 import pytest
 from conftest import path_of, solved
-from drawn import VARIANTS, files_of, sheets_of
+from drawn import SOME, files_of, sheets_of
 from test_drawing_sheets import A1, HOSTILE, stamped
 from typer.testing import CliRunner
 
@@ -29,7 +29,7 @@ def read(ezdxf, text: bytes):
     return ezdxf.read(io.StringIO(text.decode("utf-8")))
 
 
-@pytest.mark.parametrize("name", VARIANTS)
+@pytest.mark.parametrize("name", SOME)
 def test_dxf_is_whole_and_in_true_millimetres(ezdxf, name):
     for sheet in sheets_of(name):
         drawn = read(ezdxf, files_of(name)[f"sheets/{sheet.name}.dxf"])
@@ -105,7 +105,7 @@ def test_nothing_in_a_name_is_a_command_of_dxf(ezdxf, text):
         assert "⌀" not in found and "\t" not in found and not re.search(r"(?<!%)%%(?=[^%])", one.dxf.text)
 
 
-@pytest.mark.parametrize("name", VARIANTS)
+@pytest.mark.parametrize("name", SOME)
 def test_pdf_has_a_page_a_sheet_of_its_size(name):
     text = files_of(name)["sheets/sheets.pdf"]
     boxes = [tuple(map(float, one.split())) for one in re.findall(rb"/MediaBox\[([^\]]*)\]", text)]

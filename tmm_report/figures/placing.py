@@ -34,7 +34,7 @@ ACROSS = 0.02  # dislike of what a leader goes over
 _HARD = 100  # places whose leaders are looked at where none is clear
 _TRIES = 4  # orders of the labels
 _MANY = 60  # labels: of more than these one order is tried
-_FEW, _MORE = 8, 96  # places looked at first, and next
+_FEW, _MORE = 24, 240  # places looked at first, and next
 _CHOICE = 6  # clear places among which the leader that goes over least decides
 
 # mm beyond the gap
@@ -92,10 +92,10 @@ def _by_turns(
     return (*best, least)
 
 
-def relettered(items: Sequence[Item], measures: Sequence[Measure]) -> tuple[tuple[Item, ...], Measure]:
-    """The items with other letters, those of the first measure with which all find a clear place, else of the last,
-    and which it is. What has sought its place does so anew; what has its own stays there, or as near as nothing is in
-    the way."""
+def relettered(items: Sequence[Item], measures: Sequence[Measure]) -> tuple[tuple[Item, ...], Measure, bool]:
+    """The items with other letters, those of the first measure with which all find a clear place, else of the last;
+    which it is, and whether all have found one. What has sought its place does so anew; what has its own stays there,
+    or as near as nothing is in the way."""
     lines = [item for item in items if not isinstance(item, Text | Leader)]
     own = [item for item in items if isinstance(item, Text) and not item.tag]
     seeking = [item.tag for item in items if isinstance(item, Text) and item.tag]
@@ -109,7 +109,7 @@ def relettered(items: Sequence[Item], measures: Sequence[Measure]) -> tuple[tupl
         texts, leaders, spoilt = _by_turns([*loose, *seeking], on, sheet, measure)
         if not spoilt:
             break
-    return (*lines, *stay, *leaders, *texts), measure
+    return (*lines, *stay, *leaders, *texts), measure, not spoilt
 
 
 def _loose(text: Text, measure: Measure) -> Tag:
@@ -188,42 +188,49 @@ def _put(tag: Tag, on: Ground, sheet: Box, measure: Measure) -> tuple[Text, list
 def _spots(tag: Tag, half: complex) -> Spots:
     """All places on the rings round the anchors, the best liked first."""
     anchors = np.array(tag.anchors[:_ANCHORS])
-    rings, led = (_RINGS[:_LOOSE], np.zeros(_LOOSE, bool)) if tag.loose else (_RINGS, _FAR)
+    of, ring, side, dislike, led = _liked(len(anchors), tag.prefer, tag.loose)
     lean = (_LEAN[0] * half.real + 1j * _LEAN[1] * half.imag) * (not tag.loose)
-    centres = anchors[:, None, None] + (tag.gap + rings[:, None]) * _SIDES + lean
-    wrong = 0.5 * abs(_SIDES - tag.prefer) if tag.prefer else 0.0
-    dislike = (
-        0.05 * np.arange(len(anchors))[:, None, None] + (0.2 * rings + 0.5 * led)[:, None] + _LIKING + wrong
-    )
-    order = np.argsort(np.round(dislike, 6), axis=None, kind="stable")
-    of, ring, side = np.unravel_index(order, centres.shape)
-    at = centres.ravel()[order]
+    at = anchors[of] + (tag.gap + _RINGS[ring]) * _SIDES[side] + lean[side]
     wide, tall = half.real + CLEAR, half.imag + CLEAR
     boxes = np.stack([at.real - wide, at.imag - tall, at.real + wide, at.imag + tall], axis=1)
-    return Spots(boxes, lean[side], anchors[of], dislike.ravel()[order], led[ring])
+    return Spots(boxes, lean[side], anchors[of], dislike, led)
+
+
+@lru_cache(maxsize=256)
+def _liked(count: int, prefer: complex | None, loose: bool) -> tuple[Array, Array, Array, Array, Array]:
+    """Of the places round so many anchors, the best liked first: numbers of their anchors, rings and sides, dislike,
+    whether a line leads there."""
+    rings, led = (_RINGS[:_LOOSE], np.zeros(_LOOSE, bool)) if loose else (_RINGS, _FAR)
+    wrong = 0.5 * abs(_SIDES - prefer) if prefer else 0.0
+    dislike = 0.05 * np.arange(count)[:, None, None] + (0.2 * rings + 0.5 * led)[:, None] + _LIKING + wrong
+    order = np.argsort(np.round(dislike, 6), axis=None, kind="stable")
+    of, ring, side = np.unravel_index(order, dislike.shape)
+    return of, ring, side, dislike.ravel()[order], led[ring]
 
 
 def _best(tag: Tag, spots: Spots, on: Ground, sheet: Box) -> tuple[int, bool]:
     """The first clear place that needs no leader; else the best of the first clear ones; else what covers least."""
-    crossed, beyond = on.covered(spots.boxes), _beyond(spots.boxes, sheet)
     clear: list[tuple[float, int]] = []
-    for index in _clear(tag, spots, np.nonzero((crossed == 0) & (beyond <= 0))[0], on):
+    for index in _clear(tag, spots, on, sheet):
         if not spots.led[index]:
             return min([*clear, (float(spots.dislike[index]), index)])[1], True
         across = on.across(*_leader(tag, spots, index))
         clear.append((round(float(spots.dislike[index]) + ACROSS * across, 6), index))
         if len(clear) == _CHOICE:
             break
-    return (min(clear)[1], True) if clear else (_least(tag, spots, on, crossed, beyond), False)
+    return (min(clear)[1], True) if clear else (_least(tag, spots, on, sheet), False)
 
 
-def _clear(tag: Tag, spots: Spots, places: Array, on: Ground) -> Iterator[int]:
-    """Those of the places that are free of lettering and leaders, and whose leaders are, up to the first without one.
+def _clear(tag: Tag, spots: Spots, on: Ground, sheet: Box) -> Iterator[int]:
+    """The places on the sheet that are free of lines, lettering and leaders, and whose leaders are, up to the first
+    without one.
 
     A few of the best liked are looked at first: often one of them is taken.
     """
-    for some in np.split(places, [_FEW, _MORE]):
-        free = some[on.free(spots.boxes[some])] if len(some) else some
+    for some in np.split(np.arange(len(spots.boxes)), [_FEW, _MORE]):
+        boxes = spots.boxes[some]
+        bare = (on.covered(boxes) == 0) & (_beyond(boxes, sheet) <= 0)
+        free = some[bare][on.free(boxes[bare])] if bare.any() else some[:0]
         near = np.nonzero(~spots.led[free])[0]
         free = free[: near[0] + 1] if len(near) else free
         led = free[spots.led[free]]
@@ -232,8 +239,9 @@ def _clear(tag: Tag, spots: Spots, places: Array, on: Ground) -> Iterator[int]:
         yield from free[len(led) :].tolist()
 
 
-def _least(tag: Tag, spots: Spots, on: Ground, crossed: Array, beyond: Array) -> int:
+def _least(tag: Tag, spots: Spots, on: Ground, sheet: Box) -> int:
     """Where no place is clear: that which covers least, its leader too."""
+    crossed, beyond = on.covered(spots.boxes), _beyond(spots.boxes, sheet)
     spoilt = CROSSED * crossed + COVERED * areas(spots.boxes, on.taken) + BEYOND * np.clip(beyond, 0, None)
     cost = np.round(spots.dislike + spoilt, 6)
     hard = np.nonzero(spots.led & (cost <= np.sort(cost)[:_HARD][-1]))[0]

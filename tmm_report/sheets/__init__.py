@@ -8,7 +8,7 @@ for and the sheet has room, it is larger, at another scale of the same row, whic
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from importlib.util import find_spec
 
 from tmm_report.course import Results
@@ -20,16 +20,16 @@ from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
 from tmm_report.report.paper.frames import ROLES, WORDS
-from tmm_report.sheets.pictures import KINDS, TIMES, Figure, Kept, figures
+from tmm_report.sheets.pictures import KINDS, Figure, Kept, figures
 
 SMALLER = (2.0, 2.5, 4.0, 5.0, 10.0, 15.0, 20.0, 25.0, 40.0, 50.0, 75.0, 100.0)
 FORM = WORDS | {"Масса": N_("Mass"), "Масштаб": N_("Scale"), "Формат": N_("Format")}
 ROLES_HERE = (*ROLES[:2], N_("Tech. check"), "", *ROLES[3:])
 
 
-def composed(results: Results, tr: Translator) -> list[Sheet]:
-    """The sheets in their order."""
-    drawn = figures(results, tr)
+def composed(results: Results, tr: Translator, drawn: Sequence[Figure] | None = None) -> list[Sheet]:
+    """The sheets in their order; `drawn`: the pictures of the note, where they are known."""
+    drawn = figures(results, tr) if drawn is None else drawn
     laid: list[tuple[str, str, Format, list[Block]]] = []
     for kind, title in KINDS:
         own = [one for one in drawn if one.kind == kind]
@@ -75,35 +75,37 @@ def _for_one(one: Size) -> Format:
 
 
 def _enlarged(size: Format, figures: Sequence[Figure], tr: Translator) -> list[Block]:
-    """Each picture as large as there is room for, schemes and plans before diagrams, the most crowded first; one that
-    no paper holds is smaller."""
+    """Each picture as large as there is room for: those whose letters meet until they do not, then schemes and plans,
+    then diagrams, the most crowded first; one that no paper holds is smaller."""
     blocks = [one.block(1.0, tr) for one in figures]
     sizes = [one.size for one in blocks]
     found = places(size, sizes)  # nothing is moved before all have their size
     if len(found) < len(blocks):
         small = (figures[0].block(1 / times, tr) for times in SMALLER)
         return list(next(held for one in small if (held := placed(size, [one]))).values())
-    for kind in (False, True):  # schemes and plans, then diagrams
-        order = [n for n, one in enumerate(figures) if one.larger and one.diagram == kind]
-        order.sort(key=lambda n: -figures[n].crowd)
-        for step in range(len(TIMES)):
-            for n in list(order):
-                tried = _held(size, sizes, n, figures[n], step, tr)
+    left = [list(one.larger) for one in figures]
+    asked: tuple[Callable[[int], bool], ...] = (
+        lambda n: not blocks[n].clear,
+        lambda n: not figures[n].diagram,
+        lambda n: figures[n].diagram,
+    )
+    for wanted in asked:
+        order = sorted(range(len(figures)), key=lambda n: -figures[n].crowd)
+        while order := [n for n in order if left[n] and wanted(n)]:
+            for n in order:
+                tried = _held(size, sizes, n, figures[n], left[n].pop(0), tr)
                 if tried:
                     blocks[n], found = tried
                     sizes[n] = blocks[n].size
                 else:
-                    order.remove(n)  # still larger it has no room either
+                    left[n] = []  # still larger it has no room either
     return [one.at(*found[n]) for n, one in enumerate(blocks)]
 
 
 def _held(
-    size: Format, sizes: Sequence[Size], n: int, figure: Figure, step: int, tr: Translator
+    size: Format, sizes: Sequence[Size], n: int, figure: Figure, times: float, tr: Translator
 ) -> tuple[Block, dict[int, tuple[float, float]]] | None:
     """One of several pictures at one of its larger sizes, and the places of all where they have room."""
-    if step >= len(figure.larger):
-        return None
-    times = figure.larger[step]
     made = figure.made.get(times)
     for one in (
         made.size if made else figure.least(times),
@@ -117,16 +119,20 @@ def _held(
 
 
 def render(results: Results, tr: Translator) -> dict[str, bytes]:
-    """File name -> content: every sheet as SVG and, where ezdxf is installed, as DXF; all of them in one PDF. Raises
-    ProblemError of a variant without a picture."""
-    from tmm_report.figures.drawing import svg
-    from tmm_report.figures.sheets.pdf import pdf
-
+    """File name -> content. Raises ProblemError of a variant without a picture."""
     sheets = composed(results, tr)
     if not sheets:
         raise ProblemError(
             [Problem(Message(N_("there is nothing to draw on sheets: this variant has no picture")))]
         )
+    return written(sheets)
+
+
+def written(sheets: Sequence[Sheet]) -> dict[str, bytes]:
+    """Every sheet as SVG and, where ezdxf is installed, as DXF; all of them in one PDF."""
+    from tmm_report.figures.drawing import svg
+    from tmm_report.figures.sheets.pdf import pdf
+
     files = {f"sheets/{one.name}.svg": svg(one.drawing).encode() for one in sheets}
     files["sheets/sheets.pdf"] = pdf([one.drawing for one in sheets], sheets[0].said.name)
     if find_spec("ezdxf"):

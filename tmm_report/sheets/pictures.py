@@ -91,25 +91,32 @@ class Figure:
             first, *others = TORN.split(one)
             words[-1] += [first] if first else []
             words += [[other] if other else [] for other in others]
-        if times != 1 and not self.scales:
+        if times < 1 and not self.scales:
             words.append([f"({_ratio(times, tr)})"])
         return tuple(tuple(one) for one in words if one)
+
+    @property
+    def ratio(self) -> bool:
+        """Whether the title states one."""
+        return any(re.search(r"\d:\d", one) for one in self.title if isinstance(one, str))
 
     @cached_property
     def scales(self) -> list[float]:
         """What a millimetre stands for, where the title tells all of it."""
-        if any(re.search(r"\d:\d", one) for one in self.title if isinstance(one, str)):
+        if self.ratio:
             return []
         return [one.item.value for one in self.title if isinstance(one, Scale) and one.per_mm]
 
     @cached_property
     def larger(self) -> tuple[float, ...]:
-        """By how many times it may be: not where its title does not tell its scales. One out of a row stays in it,
-        those of axes in that of axes; where one is in none, by a ratio of the standard."""
+        """By how many times it may be: one not to scale by any, one whose title states a ratio not at all. One out of a
+        row stays in it, those of axes in that of axes; where one is in none, by a ratio of the standard."""
+        if not self.scales:
+            return () if self.ratio else TIMES
         rows = (ROUND, ALONG) if self.diagram else (ROUND,)
         row = next((row for row in rows if all(_in(row, one) for one in self.scales)), None)
-        if not self.scales or row is None:
-            return ENLARGED if self.scales else ()
+        if row is None:
+            return ENLARGED
         return tuple(times for times in TIMES if all(_in(row, one / times) for one in self.scales))
 
     @property
@@ -157,7 +164,7 @@ class Kept(Tex):
         if isinstance(item, Inline):
             self.told.append(Scale(item))
             return Markup(f"{MARK}{len(self.told) - 1}{MARK}")
-        if isinstance(item, Formula | VectorEquation | Equation):
+        if isinstance(item, Formula | VectorEquation | Equation) and not display:
             return Markup(plain.text(item, tr))
         if isinstance(item, Symbol):
             self.told.append(item)
@@ -180,7 +187,10 @@ class Kept(Tex):
 
 
 class _Titled(Page):
-    """Titles of figures stand without their numbers in the note."""
+    """Titles of figures stand without their numbers in the note, and no table is laid out."""
+
+    def parts(self, table: Any) -> Sequence[Any]:
+        return ()
 
     def called(self, name: str, **values: Any) -> Markup:
         return self.text(values["title"]) if name == "figure" else super().called(name, **values)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -29,7 +30,7 @@ TALLEST, ALONE, LEAST = (
     70.0,
     20.0,
 )  # mm: what curves fill of a panel at most; of the only one; in scarce room
-SPARE, EDGE = 5.0, 2.0  # mm beyond a curve where a value is written, and where none is
+EDGE = 2.0  # mm beyond a curve where no value is written
 ROOMS = (
     105.0,
     158.0,
@@ -58,6 +59,11 @@ class Hand(NamedTuple):
     def below(self) -> float:
         """Figures and name of x."""
         return self.figure + self.name + 6.5
+
+    @property
+    def spare(self) -> float:
+        """Beyond a curve where a value is written."""
+        return self.figure + 2.2
 
     @property
     def regimes(self) -> float:
@@ -130,6 +136,14 @@ class Values:
         """Height of their panel, mm."""
         return self.filled(scale) + self.under + self.over
 
+    def roomy(self, panel: Panel, spare: float) -> Panel:
+        """Its panel with so much room at least, mm, where values are written."""
+        scale = panel.y_scale
+        low, high = panel.y
+        low = min(low, self.low - spare * scale) if self.under > EDGE else low
+        high = max(high, self.high + spare * scale) if self.over > EDGE else high
+        return replace(panel, y=(low, high), tall=(high - low) / scale)
+
 
 def values_of(numbers: Sequence[float] | np.ndarray, marked: Sequence[float] = ()) -> Values:
     """The range of some numbers and zero, with room where some of them are `marked` by a figure; nothing but zeros:
@@ -142,7 +156,8 @@ def values_of(numbers: Sequence[float] | np.ndarray, marked: Sequence[float] = (
     near = 0.12 * (high - low)
     under = any(value < low + near for value in marked)
     over = any(value > high - near for value in marked)
-    return Values(low, high, SPARE if under else EDGE, SPARE if over else EDGE)
+    spare = Hand().spare
+    return Values(low, high, spare if under else EDGE, spare if over else EDGE)
 
 
 def scales_of(axes: Sequence[Values], rest: float) -> list[float]:

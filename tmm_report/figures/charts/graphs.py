@@ -117,6 +117,8 @@ class Graph:
     def by(self, hand: Hand, times: float = 1.0) -> Graph:
         """The same curves `times` as large, with other letters."""
         laid = [replace(one, wide=times * one.wide, tall=times * one.tall) for one in self.panels]
+        axes = [_axis([curve for curve, _ in self.of(k)], self.x) for k in range(len(laid))]
+        laid = [axis.roomy(one, hand.spare) for axis, one in zip(axes, laid, strict=True)]
         laid = [replace(one, left=_left(laid, self.comma, hand)) for one in laid]
         heads = [
             hand.row * sheet.rows(panel, name, self.of(k), hand)

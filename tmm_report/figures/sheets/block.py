@@ -37,11 +37,13 @@ Title = tuple[Parts, ...]  # what stands together on one line: a word, a symbol 
 
 @dataclass(frozen=True)
 class Block:
-    """A picture with its title above it, on its own axes: items, letters, and what they take, mm."""
+    """A picture with its title above it, on its own axes: items, letters, and what they take, mm; `clear`: no letters
+    touch others or lines."""
 
     items: tuple[Item, ...]
     letters: tuple[Letters, ...]
     title: Title
+    clear: bool = True
 
     @cached_property
     def box(self) -> Box:
@@ -62,7 +64,7 @@ class Block:
         """Moved so that this is its lower left corner."""
         by = complex(left - self.box[0], bottom - self.box[1])
         items = tuple(one.moved(by) for one in self.items)
-        return Block(items, tuple(one.moved(by) for one in self.letters), self.title)
+        return replace(self, items=items, letters=tuple(one.moved(by) for one in self.letters))
 
 
 def block(picture: Drawing | Graph, title: Title, times: float = 1.0) -> Block:
@@ -73,7 +75,7 @@ def block(picture: Drawing | Graph, title: Title, times: float = 1.0) -> Block:
         measures = [_measure(times, False)]
     left, bottom, _, _ = picture.box
     placed = picture.moved(-complex(left, bottom)).items  # from its own corner: no digits are lost far away
-    found, measure = relettered([_open(item) for item in placed], measures)
+    found, measure, clear = relettered([_open(item) for item in placed], measures)
     large = measure is _measure(times, True)
     letters = tuple(
         Letters(times * item.at, item.parts, _tall(item.parts, item.size * times, large), item.align)
@@ -82,7 +84,7 @@ def block(picture: Drawing | Graph, title: Title, times: float = 1.0) -> Block:
     )
     taken = [_around(one) for one in letters]
     items = tuple(larger(_off(item, taken, times), times) for item in found if not isinstance(item, Text))
-    bare = Block(items, letters, title)
+    bare = Block(items, letters, title, clear)
     return replace(bare, letters=(*letters, *_titled(bare, title)))
 
 

@@ -7,6 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
+from typing import Any
+
+import numpy as np
 
 from tmm_report.figures.drawing import Drawing
 from tmm_report.figures.primitives import Box, Item, Path, Pen
@@ -16,6 +19,8 @@ from tmm_report.figures.sheets.form import TURNED, WIDE, Said, form, turned
 from tmm_report.figures.sheets.lines import MAIN
 from tmm_report.figures.sheets.strokes import SMALLEST, Letters
 from tmm_report.records import dataclass
+
+Array = Any
 
 BINDING, EDGE = 20.0, 5.0  # mm: from the frame to the edge of the paper
 GAP = 8.0  # mm between pictures, and between them and the frame
@@ -100,51 +105,39 @@ class Sheet:
         return Drawing((*self.items, *strokes), self.said.sheet, margin=0.0)
 
 
-def free_of(format: Format, taken: Sequence[Box]) -> list[Box]:
-    """The largest rectangles of the field that hold none of what is taken, with a gap around it."""
+def free_of(format: Format) -> Array:
+    """The largest rectangles (N, 4) of the field that hold neither the title block nor the designation."""
     left, bottom, right, top = format.field
-    free = [(left + GAP, bottom + GAP, right - GAP, top - GAP)]
-    for box in (format.block, format.turned, *taken):
-        hit = (box[0] - GAP, box[1] - GAP, box[2] + GAP, box[3] + GAP)
-        free = [part for one in free for part in _without(one, hit)]
-        free = [one for one in free if not any(one is not other and _inside(one, other) for other in free)]
-    return free
+    free = np.array([[left + GAP, bottom + GAP, right - GAP, top - GAP]])
+    return _less(_less(free, format.block), format.turned)
 
 
-def _without(one: Box, hit: Box) -> list[Box]:
-    left, bottom, right, top = one
-    if hit[0] >= right or hit[2] <= left or hit[1] >= top or hit[3] <= bottom:
-        return [one]
-    parts = [
-        (left, bottom, hit[0], top),
-        (hit[2], bottom, right, top),
-        (left, bottom, right, hit[1]),
-        (left, hit[3], right, top),
-    ]
-    return [part for part in parts if part[2] - part[0] > 1 and part[3] - part[1] > 1]
-
-
-def _inside(one: Box, other: Box) -> bool:
-    return (
-        one != other
-        and other[0] <= one[0]
-        and other[1] <= one[1]
-        and other[2] >= one[2]
-        and other[3] >= one[3]
-    )
+def _less(free: Array, taken: Box) -> Array:
+    """What is left of free rectangles (N, 4) beside what is taken, with a gap around it: the largest ones."""
+    left, bottom, right, top = taken[0] - GAP, taken[1] - GAP, taken[2] + GAP, taken[3] + GAP
+    apart = (free[:, 2] <= left) | (right <= free[:, 0]) | (free[:, 3] <= bottom) | (top <= free[:, 1])
+    parts = np.repeat(free[~apart], 4, axis=0)
+    for k, (side, end) in enumerate(((2, left), (0, right), (3, bottom), (1, top))):
+        parts[k::4, side] = end
+    parts = parts[(parts[:, 2:] - parts[:, :2] > 1).all(axis=1)]
+    found = np.concatenate([free[apart], parts])
+    low, high = found[:, :2], found[:, 2:]
+    inside = (low[:, None] >= low).all(axis=-1) & (high[:, None] <= high).all(axis=-1)
+    inside &= ~np.triu(inside & inside.T)  # of equal ones the first is kept
+    return found[~inside.any(axis=1)]
 
 
 def places(format: Format, sizes: Sequence[Size]) -> dict[int, tuple[float, float]]:
     """Lower left corners, mm, of as many as the sheet holds, by their numbers: large ones first, each as high and as
     far to the left as it can be."""
-    found, taken = dict[int, tuple[float, float]](), list[Box]()
+    found, free = dict[int, tuple[float, float]](), free_of(format)
     for n in sorted(range(len(sizes)), key=lambda n: -sizes[n][0] * sizes[n][1]):
         wide, tall = sizes[n]
-        room = [one for one in free_of(format, taken) if one[2] - one[0] >= wide and one[3] - one[1] >= tall]
+        room = free[(free[:, 2:] - free[:, :2] >= (wide, tall)).all(axis=1)].tolist()
         if room:
             left, _, _, top = min(room, key=lambda one: (-one[3], one[0]))
             found[n] = left, top - tall
-            taken.append((left, top - tall, left + wide, top))
+            free = _less(free, (left, top - tall, left + wide, top))
     return found
 
 

@@ -26,6 +26,7 @@ from tmm_report.quantity.paper import round_scale
 from tmm_report.quantity.symbols import Symbol as Quantity
 
 WIDE, TALL, APART = 110.0, 6.0, 4.0  # mm: the active part at most, height of a bar, room between two bars
+UNDER = 6.0  # mm: from the bars to the dimensions under them, whose values stand between
 BEYOND = 22.0  # mm: how much is seen of the pairs before and after
 STEP = 1.6  # mm between the strokes of a hatching
 NARROW, CLOSE = 15.0, 4.0  # mm: a zone in which no dimension has room, letters that would meet
@@ -47,9 +48,9 @@ def zones(mesh: Mesh, num: Callable[[float], str], words: Callable[[int], str], 
     rows = 2 * beside + 1
     low = -(rows - 1) * (TALL + APART)
     for name, at in x.items():  # P bounds no zone: its line would cross out a dimension
-        items.append(line(complex(at, low if name == "P" else low - 5), complex(at, TALL + 2), THIN))
+        items.append(line(complex(at, low if name == "P" else low - UNDER), complex(at, TALL + 2), THIN))
     items += _letters(x)
-    items += _intervals(pitch, low - 5, k, wide, num, words)
+    items += _intervals(pitch, low - UNDER, k, wide, num, words)
     return Drawing(tuple(items), title, scales=(Scale(Quantity("l"), 1 / k, "m"),))
 
 
