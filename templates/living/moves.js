@@ -9,7 +9,11 @@ function liveMoves(figure, { still, bare, parts, box }) {
   const group = drawn("g", { class: "turning" });
   const all = parts.map((part) => {
     const shape = parsed(`<g xmlns="http://www.w3.org/2000/svg" fill="none" stroke-linecap="round" stroke-linejoin="round">${part.svg}</g>`);
-    const one = () => group.appendChild(document.importNode(shape, true));
+    const one = () => {
+      const made = group.appendChild(document.importNode(shape, true));
+      made.prepend(...(part.same ?? []).map((k) => kids[k].cloneNode(true)));
+      return made;
+    };
     const count = part.pitch ? Math.ceil(Math.min(180, 60 + 2 * (part.half / Math.hypot(...part.centre)) * 57.3) / part.pitch) : 0;
     return { part, shapes: Array.from({ length: 2 * count + 1 }, (_, n) => [one(), n - count]) };
   });

@@ -6,9 +6,9 @@ from __future__ import annotations
 import base64
 import cmath
 import math
-import re
 from functools import cache
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -17,6 +17,13 @@ from test_living_data import data, page
 from test_living_page import opened, run
 
 from tmm_report.chapters.gears.drive.draw.sketch import CLEAR
+from tmm_report.chapters.gears.eccentric.draw.assembled import assembled
+from tmm_report.chapters.gears.eccentric.draw.path import path_drawing
+from tmm_report.chapters.gears.eccentric.solve.paper import path_scale
+from tmm_report.chapters.gears.train.draw.scheme import scheme
+from tmm_report.course import Results
+from tmm_report.figures.drawing import Drawing, Moving
+from tmm_report.living.moves import moved
 from tmm_report.results import tables
 
 
@@ -44,8 +51,11 @@ def test_a_pair_in_mesh_rolls_tooth_by_tooth(name):
 @pytest.mark.parametrize("name", ["hoist_drive", "compressor"])
 def test_a_planetary_stage_rolls_without_sliding(name):
     """Where a satellite touches a central wheel both have one velocity: from the radii that are drawn."""
-    stage = next(one for one in moves(name).values() if any("about" in part for part in one["parts"]))
-    by_radius = [(part, drawn_radius(part)) for part in stage["parts"] if "pitch" not in part]
+    anchor, stage = next(
+        (anchor, one) for anchor, one in moves(name).items() if any("about" in part for part in one["parts"])
+    )
+    shapes = figure(name, anchor)
+    by_radius = [(part, drawn_radius(part, shapes)) for part in stage["parts"] if "pitch" not in part]
     satellites = [(part, r) for part, r in by_radius if "about" in part]
     central = [(part, r) for part, r in by_radius if "about" not in part and r is not None]
     checked = 0
@@ -65,10 +75,22 @@ def test_a_planetary_stage_rolls_without_sliding(name):
     assert checked >= 4
 
 
-def drawn_radius(part: dict[str, Any]) -> float | None:
-    """Of the working circle, which has dots and dashes; None of a part without one."""
-    circles = [c for c in re.findall(r"<circle[^>]*>", part["svg"]) if "stroke-dasharray" in c]
-    return float(re.search(r' r="([\d.]+)"', circles[0])[1]) if circles else None
+def figure(name: str, anchor: str) -> ElementTree.Element:
+    """The elements of a figure of the note."""
+    text = page(name)
+    begins = text.index("<svg", text.index(f'id="{anchor}"'))
+    drawn = ElementTree.fromstring(text[begins : text.index("</svg>", begins) + 6]).find("{*}g")
+    assert drawn is not None
+    return drawn
+
+
+def drawn_radius(part: dict[str, Any], shapes: ElementTree.Element) -> float | None:
+    """Of the working circle, which has dots and dashes, among the note's own shapes; None of a part without one."""
+    circles = [s for k in part.get("same", ()) if (s := shapes[k]).tag.endswith("circle")]
+    if "about" in part:
+        centres = [(float(c.attrib["cx"]), -float(c.attrib["cy"])) for c in circles]
+        assert centres and all(math.dist(one, part["centre"]) < 0.01 for one in centres)
+    return next((float(c.attrib["r"]) for c in circles if "stroke-dasharray" in c.attrib), None)
 
 
 def marks(name: str) -> list[dict[str, Any]]:
@@ -96,6 +118,85 @@ def test_marks_of_wheels_from_the_side_pass_one_another_as_fast(name):
         for r in found[round(rate, 9)]
         for q in found[round(other, 9)]
     ), fast
+
+
+def turning(drawing: Drawing, results: Results) -> list[tuple[Moving, dict[str, Any]]]:
+    """The parts of a picture, and what the script is told of each."""
+    assert drawing.moves is not None
+    return list(zip(drawing.moves.parts, moved({"figure": drawing}, results)["figure"]["parts"], strict=True))
+
+
+TRAINS = ["drum_closed_differential", "reducer_3k", "reversing_train_with_idlers", "steering_two_inputs"]
+TRAINS += ["two_suns_compound_planet", "car_differential_on_a_curve"]
+
+
+@pytest.mark.parametrize("name", TRAINS)
+def test_every_member_of_a_train_shows_how_it_turns(name):
+    """As fast as its table has it, of a satellite across its carrier's axis about that; one mark is in sight at any
+    time, of a wheel with parallel axes at its rim."""
+    results = solved(f"statements/{name}")
+    speeds, train = next(t for t in tables(results) if t.name == "train_speeds"), results.train
+    parts, checked = turning(scheme(train), results), 0
+    omega = {}
+    for k, member in enumerate(map(str, speeds["member"].values)):
+        key = "omega_rel" if train.built.tilted(member) else "omega"
+        omega[member] = float(speeds[key].numbers()[k])
+    largest = max(map(abs, omega.values()))
+    for member in (member for member in omega if omega[member]):
+        own = [told for part, told in parts if part.of == member]
+        (rate,) = {told["rate"] * largest for told in own}
+        assert abs(rate) == pytest.approx(abs(omega[member])), member
+        assert member in train.built.bevel or rate * omega[member] > 0, member
+        for angle in (1.0, 2.0, 3.0, 4.0, 5.0):
+            now = [(complex(*told["rise"]) * cmath.exp(1j * angle), told.get("side", 0)) for told in own]
+            assert any(z.real > 0 and (not side or side * z.imag > 0) for z, side in now), (member, angle)
+        if member in train.places.radius and member not in train.built.bevel:
+            apart = abs(abs(complex(*own[0]["rise"])) - train.places.radius[member] / train.places.scale)
+            assert apart < 1.01 * CLEAR
+        checked += 1
+    assert checked >= 3
+
+
+def test_bevel_wheels_of_a_train_roll_on_one_another():
+    """Where two touch both go to the reader or away from him as fast: of the differential as its case has it."""
+    results = solved("statements/car_differential_on_a_curve")
+    parts, case = turning(scheme(results.train), results), results.train.speed["H"]
+    largest = max(map(abs, results.train.speed.values()))
+    for across, other, right, carried in (("1", "2", 1, 0.0), ("4", "3", -1, case), ("4", "5", 1, case)):
+        one, two = (next(told for part, told in parts if part.of == name) for name in (across, other))
+        ways = right * one["rate"] * abs(complex(*one["rise"]))
+        assert one["across"] == [1.0, 0.0] and two["across"] == [0.0, 1.0]
+        assert (two["rate"] - carried / largest) * abs(complex(*two["rise"])) == pytest.approx(ways, rel=1e-6)
+
+
+def test_wheels_of_an_eccentric_mechanism_roll_about_their_stopped_axes():
+    """Teeth go by as fast on each, those of the sun against the others, at the speeds of the table."""
+    results = solved("eccentric")
+    found, speeds = results.eccentric, next(t for t in tables(results) if t.name == "eccentric_speeds")
+    row = list(speeds["stopped"].values).index("H")
+    teeth = {"1": found.sun, "3": found.ring} | {s.wheel: s.teeth for s in found.satellites}
+    centres = {"1": 0j, "3": found.e + 0j} | {s.wheel: s.centre for s in found.satellites}
+    parts = turning(assembled(found), results)
+    assert sorted(part.of for part, _ in parts) == sorted(teeth) and len(teeth) >= 5
+    for part, told in parts:
+        assert told["rate"] * found.given.speed == pytest.approx(speeds[f"omega_{part.of}"].numbers()[row])
+        sense = 1 if part.of == "1" else -1
+        assert told["rate"] * teeth[part.of] == pytest.approx(sense * found.sun)
+        assert complex(*told["centre"]) == pytest.approx(centres[part.of] * 1e3 * found.scale, abs=1e-3)
+        assert "about" not in told and told["same"]
+
+
+def test_points_of_an_eccentric_mechanism_go_along_their_paths():
+    """Through the places of the table, each time that the axes have turned by a position."""
+    results = solved("eccentric")
+    for path in results.eccentric.paths:
+        ((part, told),) = turning(path_drawing(results.eccentric, path), results)
+        mm, axis = 1e3 * path_scale(path), complex(*told["centre"])
+        start = complex(part.items[-1].centre)
+        for theta, place in zip(path.theta, path.places, strict=True):
+            orbit, own = cmath.exp(1j * told["about"] * theta), cmath.exp(1j * told["rate"] * theta)
+            assert axis * orbit + (start - axis) * own == pytest.approx(place * mm, abs=1e-3)
+    assert len(results.eccentric.paths) == 2
 
 
 def test_the_cycle_turns_the_fastest_shaft_once():

@@ -141,11 +141,15 @@ class Moving(NamedTuple):
 
 
 class Moves(NamedTuple):
-    """The moving parts of a drawing, and its items, `still`, that they take the place of; `bare`: and its letters."""
+    """The moving parts of a drawing, and its items, `still`, that they take the place of; `bare`: and its letters.
+    `speed`: of the members, rad/s, where they are not the drive's; `once`: the one that turns once in a cycle, "": the
+    crank where they turn that, else the fastest."""
 
     parts: tuple[Moving, ...]
     still: tuple[Item, ...]
     bare: bool = False
+    speed: Mapping[str, float] | None = None
+    once: str = ""
 
 
 @dataclass(frozen=True)

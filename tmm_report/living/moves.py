@@ -1,14 +1,14 @@
-"""Pictures whose parts move of themselves: wheels in mesh, a planetary stage, a drive from the side, a cam under its
-follower.
+"""Pictures whose parts move of themselves: wheels in mesh, a planetary stage, drives and trains from the side, an
+eccentric mechanism, a cam under its follower.
 
-What turns with what, and how fast, is the drive's: its table of speeds. The shaft whose turn is one turn of the cycle
-is the crank where the drive turns that, else the fastest of the drive.
+How fast a member turns is what its chapter found, of a stage of a drive the drive's table of speeds. The shaft whose
+turn is one turn of the cycle is the crank where the members turn that, else the fastest of them.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -26,39 +26,51 @@ _TAG = re.compile(r"<(/?)\w[^>]*?(/?)>")
 
 def moved(pictures: Mapping[str, Drawing | Graph], results: Results) -> dict[str, Any]:
     """Anchor -> parts of its picture that move, and the numbers of the elements that they take the place of."""
-    rates, found = _rates(results), {}
+    found: dict[str, Any] = {}
+    drive = _drive(results)
     for anchor, picture in pictures.items():
         moves = picture.moves if isinstance(picture, Drawing) else None
         if isinstance(picture, Drawing) and moves is not None:
+            rates = _rates(moves, drive, results)
             members = {name for part in moves.parts for name in (part.of, part.about) if name}
             if members <= rates.keys():
-                parts = [_part(part, rates) for part in moves.parts]
-                found[anchor] = {"still": list(_numbers(picture, moves)), "bare": moves.bare, "parts": parts}
+                numbers = _numbers(picture)
+                still = [k for item in moves.still for k in numbers.get(id(item), ())]
+                parts = [_part(part, rates, numbers) for part in moves.parts]
+                found[anchor] = {"still": still, "bare": moves.bare, "parts": parts}
                 if moves.bare:
                     found[anchor]["box"] = _box(picture, moves)
     return found
 
 
-def _rates(results: Results) -> dict[str, float]:
-    """Turns of each member of the drive in one turn of the cycle."""
+def _drive(results: Results) -> dict[str, float]:
+    """Speeds of the members of the drive, rad/s; of none where there is none."""
     speeds = next((t for t in tables(results) if t.name == "drive_speeds"), None)
     if speeds is None:
         return {}
-    omega = dict(zip(map(str, speeds["member"].values), speeds["omega"].numbers().tolist(), strict=True))
-    base = max(omega.values(), key=abs)
+    return dict(zip(map(str, speeds["member"].values), speeds["omega"].numbers().tolist(), strict=True))
+
+
+def _rates(moves: Moves, drive: Mapping[str, float], results: Results) -> dict[str, float]:
+    """Turns of each member in one turn of the cycle."""
+    omega = drive if moves.speed is None else moves.speed
+    base = omega[moves.once] if moves.once else max(omega.values(), key=abs, default=0.0)
     if results.lever is not None:
         crank = float(np.ravel(results.lever.kinematics.omega)[0])
         base = next((w for w in omega.values() if abs(abs(w) - abs(crank)) <= SAME * abs(crank)), base)
     return {name: w / abs(base) for name, w in omega.items()} if base else {}
 
 
-def _part(part: Moving, rates: Mapping[str, float]) -> dict[str, Any]:
+def _part(part: Moving, rates: Mapping[str, float], numbers: Mapping[int, range]) -> dict[str, Any]:
+    """Items of the picture by their numbers in it, the others as they are drawn."""
     rate = rates.get(part.of, 0.0)
     said: dict[str, Any] = {
-        "svg": shapes(part.items),
+        "svg": shapes([item for item in part.items if id(item) not in numbers]),
         "centre": _pair(part.centre),
         "rate": part.sense * abs(rate) if part.sense else rate,
     }
+    if same := [k for item in part.items for k in numbers.get(id(item), ())]:
+        said["same"] = same
     if part.about:
         said["about"] = rates[part.about]
     if part.rise:
@@ -98,15 +110,13 @@ def _box(picture: Drawing, moves: Moves) -> list[float]:
     return [round(x, 2) for x in (left, -top, right - left, top - bottom)]
 
 
-def _numbers(picture: Drawing, moves: Moves) -> Iterator[int]:
-    """Numbers of the elements of a picture, in its order, that are of the items at rest."""
-    still, number = {id(item) for item in moves.still}, 0
+def _numbers(picture: Drawing) -> dict[int, range]:
+    """Of each item of a picture, by its id, the numbers of its elements in their order."""
+    found, number = {}, 0
     for item in picture.items:
         if not isinstance(item, Text):
-            count = _elements(item)
-            if id(item) in still:
-                yield from range(number, number + count)
-            number += count
+            found[id(item)] = range(number, number := number + _elements(item))
+    return found
 
 
 def _elements(item: Item) -> int:

@@ -6,6 +6,7 @@ from faults import Fault
 
 LIVING, SCRIPT = "tmm_report/living/", "templates/living/"
 DRIVE = "tmm_report/chapters/gears/drive/draw/"
+TRAIN, ECCENTRIC = "tmm_report/chapters/gears/train/draw/", "tmm_report/chapters/gears/eccentric/draw/"
 MOVES = ("tests/living/test_living_moves.py",)
 LOADS = ("tests/living/test_living_loads.py",)
 TOLD = ("tests/living/test_living_told.py",)
@@ -70,6 +71,19 @@ FAULTS = (
           'style.display = front > 0', 'style.display = front < 0', "hoist_drive", MOVES),
     Fault("marks of wheels go on other radii than their rims", "tmm_report/chapters/gears/drive/draw/pair.py",
           "sketch.mark(x, y, half, one.name)", "sketch.mark(x, y, 0.5 * half + 2, one.name)", "hoist_drive", MOVES),
+    Fault("a planet gear across its carrier's axis turns with it", TRAIN + "turning.py",
+          "if drawn.built.tilted(name) else 0.0)", "if not drawn.built else 0.0)",
+          "hoist_differential", MOVES),
+    Fault("a bevel wheel rolls against its mate", TRAIN + "turning.py",
+          "yield int(math.copysign(1, rolled * ", "yield int(math.copysign(1, -rolled * ", "hoist_differential", MOVES),
+    Fault("the wheels of an eccentric mechanism turn as with the ring stopped", ECCENTRIC + "assembled.py",
+          "motion.stopped == CARRIER", "motion.stopped == RING", "eccentric", MOVES),
+    Fault("the path of a point is shown with its own wheel stopped", ECCENTRIC + "path.py",
+          "one.stopped == still)", "one.stopped == moving)", "eccentric", MOVES),
+    Fault("shapes of the note that move are those beside them", LIVING + "moves.py",
+          "range(number, number := number + _elements(item))",
+          "range(number + 1, 1 + (number := number + _elements(item)))",
+          "hoist_drive", MOVES),
     Fault("moving teeth are printed with the note's", SCRIPT + "living.css",
           ".loads, .turning, dialog", ".loads, dialog", "hoist_drive", MOVES),
     Fault("the page needs a font of the machine", SCRIPT + "stage.js",

@@ -13,6 +13,7 @@ from tmm_report.figures.drawing import (
     Arc,
     Circle,
     Item,
+    Moving,
     Pen,
     hatching,
     line,
@@ -23,6 +24,7 @@ from tmm_report.figures.schemes.bodies import BLOCK
 JOINT = 1.3  # radius of a revolute joint, mm
 BARREL = 1.8  # half width of the barrel of a cylinder, mm
 SUPPORT = complex(3.0, 5.5)  # half width and height of a support, mm
+MARK = Pen(0.4, "red")  # of a wheel as it turns on the screen
 
 
 def joint(at: complex) -> list[Item]:
@@ -109,3 +111,14 @@ def turning(centre: complex, radius: float, start: float, sweep: float, pen: Pen
     back = (arc.at(start + sweep * (1 - head / (radius * abs(sweep)))) - tip) / head
     base = tip + head * back
     return [arc, polygon((tip, base + 0.17j * head * back, base - 0.17j * head * back), None, pen.colour)]
+
+
+def going_round(
+    mark: Item, radius: float, name: str, side: int = 0, across: complex = 1j, sense: int = 0
+) -> list[Moving]:
+    """Marks of what is seen from the side, for the screen: `mark`, drawn on the axis, goes round at the radius, mm, so
+    that one is always in sight. `side`: of what is drawn on one side of its axis alone, ±1."""
+    rises = (radius, -radius, *((1j * radius, -1j * radius) if side else ()))
+    return [
+        Moving((mark,), of=name, sense=sense, rise=complex(rise), across=across, side=side) for rise in rises
+    ]

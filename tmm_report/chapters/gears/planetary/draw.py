@@ -50,22 +50,30 @@ class _Front:
         turns = [2 * math.pi * j / found.satellites for j in range(found.satellites)]
         self.centres = [cmath.rect(self.arm, math.pi / 2 + turn) for turn in turns]
         self.crowns = (1,) if found.scheme.single else (1, 2)
+        self.rows = [
+            (wheel, found.scheme.rows[row] == INTERNAL, tuple(self._central(row, wheel)))
+            for row, wheel in ((0, 0), (1, 3))
+        ]
+        self.satellites = [
+            [(crown, tuple(self._wheel(centre, crown))) for crown in self.crowns] for centre in self.centres
+        ]
+        self.axes, self.carrier = tuple(self._axes()), tuple(self._carrier())
 
     def radius(self, values: str, wheel: int) -> float:
         """Half of a diameter, mm of paper."""
         return float(getattr(self.found.sizes, values)[wheel]) / 2 * self.mm
 
     def items(self) -> Iterator[Item]:
-        for row, wheel in ((0, 0), (1, 3)):
-            yield from (
-                self._ring(row, wheel) if self.found.scheme.rows[row] == INTERNAL else self._wheel(0j, wheel)
-            )
-        for centre in self.centres:
-            for crown in self.crowns:
-                yield from self._wheel(centre, crown)
-        yield from self._axes()
-        yield from self._carrier()
-        yield from self._gap()
+        for _, _, drawn in self.rows:
+            yield from drawn
+        for satellite in self.satellites:
+            for _, drawn in satellite:
+                yield from drawn
+        yield from (*self.axes, *self.carrier, *self._gap())
+
+    def _central(self, row: int, wheel: int) -> Iterator[Item]:
+        ring = self.found.scheme.rows[row] == INTERNAL
+        return self._ring(row, wheel) if ring else self._wheel(0j, wheel)
 
     def _wheel(self, centre: complex, wheel: int) -> Iterator[Item]:
         yield Circle(centre, self.radius("trimmed", wheel), NORMAL)
@@ -83,19 +91,17 @@ class _Front:
         """The members as they turn, each wheel with a spoke that shows it."""
         names, crowns = self.found.given.names, self.found.given.crowns
         carrier = names[-1]
-        yield Moving(tuple(self._axes()))
-        for row, wheel, name in ((0, 0, names[0]), (1, 3, names[-2])):
-            ring = self.found.scheme.rows[row] == INTERNAL
+        yield Moving(self.axes)
+        for (wheel, ring, drawn), name in zip(self.rows, (names[0], names[-2]), strict=True):
             edge = self.radius("root" if ring else "working", wheel)
             spoke = Path(((complex(0, 0.86 * edge), complex(0, edge)),), THICK)
-            own = self._ring(row, wheel) if ring else self._wheel(0j, wheel)
-            yield Moving((*own, spoke), of=name)
-        for centre in self.centres:
-            for crown, name in zip(self.crowns, crowns, strict=False):
+            yield Moving((*drawn, spoke), of=name)
+        for centre, satellite in zip(self.centres, self.satellites, strict=True):
+            for (crown, drawn), name in zip(satellite, crowns, strict=False):
                 out = centre + self.radius("working", crown)
                 spoke = Path(((centre, out),), THIN)
-                yield Moving((*self._wheel(centre, crown), spoke), centre, name, about=carrier)
-        yield Moving(tuple(self._carrier()), of=carrier)
+                yield Moving((*drawn, spoke), centre, name, about=carrier)
+        yield Moving(self.carrier, of=carrier)
 
     def _held(self, wheel: int) -> bool:
         names = {0: self.found.given.names[0], 3: self.found.given.names[-2]}

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from dataclasses import field
 
 from tmm_report.chapters.gears.drive.plans import Plans
-from tmm_report.figures.drawing import NORMAL, THICK, Item, Moves, Moving, Pen, Tag, line
+from tmm_report.figures.drawing import NORMAL, THICK, Item, Moves, Moving, Tag, line
 from tmm_report.figures.lettering import symbol
-from tmm_report.figures.schemes.marks import ground, turning
+from tmm_report.figures.schemes.marks import MARK, going_round, ground, turning
 from tmm_report.mechanics.gears.trains import Member
 from tmm_report.records import dataclass
 
@@ -18,7 +18,6 @@ CLEAR = 0.45  # of a rim from its pitch line: two rims in mesh stand apart by tw
 DISC = 11.0  # from a row to the web of a turning ring
 SIDE = 2.0  # free space beside a stage
 CROSS = 0.9
-MARK = Pen(0.4, "red")  # of a wheel as it turns on the screen
 
 
 @dataclass
@@ -58,8 +57,7 @@ class Sketch:
     def mark(self, x: float, y: float, half: float, name: str, reach: float = RIM, side: int = 0) -> None:
         """Marks of what turns about y; `side`: of what is drawn on one side of its axis alone, ±1."""
         along = line(complex(x - reach, y), complex(x + reach, y), MARK)
-        for rise in (half, -half, *((1j * half, -1j * half) if side else ())):
-            self.marks.append(Moving((along,), of=name, rise=complex(rise), side=side))
+        self.marks += going_round(along, half, name, side)
 
     def web(self, x: float, start: float, end: float) -> None:
         self.items.append(line(complex(x, start), complex(x, end), NORMAL))

@@ -4,22 +4,25 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
 from tmm_report.chapters.gears.eccentric.draw.common import CENTRES, FINE, MEASURE, Numbers, measured, plain
-from tmm_report.chapters.gears.eccentric.solve.mechanism import RING, SUN, Found, Satellite
+from tmm_report.chapters.gears.eccentric.solve.mechanism import CARRIER, RING, SUN, Found, Satellite
 from tmm_report.chapters.gears.eccentric.solve.paper import outside
 from tmm_report.figures.drawing import (
     AXIS,
     NORMAL,
+    THICK,
     THIN,
     Arc,
     Circle,
     Drawing,
     Item,
+    Moves,
+    Moving,
     Path,
     Pen,
     Tag,
@@ -34,18 +37,34 @@ Array = Any
 
 TOOTH = Pen(0.25)
 TURN = Pen(0.25, "blue")
+SPOKE = 3.0  # mm: what shows how a wheel has turned
 
 
 def assembled(found: Found, num: Numbers = str, title: str = "") -> Drawing:
     """Every wheel with its teeth, pitch circles, the ellipse of the centres, the angles of a satellite and e."""
     mm = 1e3 * found.scale  # mm of paper to 1 m
     made = found.assembled(FINE / mm)
-    items = [*_ring(made.ring, found, mm), *_wheel(made.sun, mm, "pale")]
-    for body in made.satellites:
-        items += _wheel(body, mm)
+    wheels = [(made.ring, _ring(made.ring, found, mm)), (made.sun, _wheel(made.sun, mm, "pale"))]
+    wheels += [(body, _wheel(body, mm)) for body in made.satellites]
+    items = [item for _, drawn in wheels for item in drawn]
     items += [*_pitch_circles(found, mm), *_centres(found, mm), *_turns(found, mm)]
     items += [*_angles(found, mm), *_eccentricity(found, mm, num)]
-    return Drawing(tuple(items), title).labelled(_tags(found, mm))
+    return Drawing(tuple(items), title, moves=_rolling(found, wheels, mm)).labelled(_tags(found, mm))
+
+
+def _rolling(found: Found, wheels: Sequence[tuple[Body, list[Item]]], mm: float) -> Moves:
+    """Each wheel about its axis, the axes stopped, with a spoke that shows it."""
+    stopped = next(motion for motion in found.motions if motion.stopped == CARRIER)
+    parts = []
+    for body, drawn in wheels:
+        centre, radii = body.centre * mm, np.abs(body.outline() - body.centre) * mm
+        edge, depth = float(radii.min()), -SPOKE
+        if body is wheels[0][0]:
+            edge, depth = float(radii.max()), SPOKE
+        spoke = line(centre + edge, centre + edge + depth, THICK)
+        parts.append(Moving((*drawn, spoke), centre, body.name))
+    still = tuple(item for _, drawn in wheels for item in drawn)
+    return Moves(tuple(parts), still, speed=stopped.speed)
 
 
 def _ring(body: Body, found: Found, mm: float) -> list[Item]:

@@ -2,13 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from tmm_report.chapters.gears.eccentric.draw.common import CENTRES
 from tmm_report.chapters.gears.eccentric.paths import Traced
-from tmm_report.chapters.gears.eccentric.solve.mechanism import RING, SUN, Found
+from tmm_report.chapters.gears.eccentric.solve.mechanism import CARRIER, RING, SUN, Found
 from tmm_report.chapters.gears.eccentric.solve.paper import path_scale
-from tmm_report.figures.drawing import AXIS, THIN, Circle, Drawing, Item, Pen, Tag, dot, line, polyline
+from tmm_report.figures.drawing import (
+    AXIS,
+    THIN,
+    Circle,
+    Drawing,
+    Item,
+    Moves,
+    Moving,
+    Pen,
+    Tag,
+    dot,
+    line,
+    polyline,
+)
 from tmm_report.figures.lettering import Symbol
 
 PATH = Pen(0.6, "blue")
@@ -25,13 +40,13 @@ def path_drawing(found: Found, path: Traced, title: str = "") -> Drawing:
     axis, start = complex(path.arm * mm), complex(path.at(np.array(0.0)) * mm)
     reach = abs(axis) + path.point.radius * mm
     wheels = [(0j, half * teeth[still]), (axis, half * teeth[moving])]
-    items: list[Item] = [
-        *(Circle(centre, radius, AXIS) for centre, radius in wheels if abs(centre) + radius <= reach),
-        Circle(0j, abs(axis), CENTRES),
-        line(axis, start, START),
-        polyline(map(complex, path.curve() * mm), PATH),
-    ]
-    items += [line(centre - arm, centre + arm, THIN) for centre in (0j, axis) for arm in (2.0, 2j)]
+    fixed, carried = (
+        [*_circle(centre, radius, reach), *(line(centre - arm, centre + arm, THIN) for arm in (2.0, 2j))]
+        for centre, radius in wheels
+    )
+    carried.append(line(axis, start, START))
+    items: list[Item] = [*fixed, *carried, Circle(0j, abs(axis), CENTRES)]
+    items.append(polyline(map(complex, path.curve() * mm), PATH))
     places = [complex(z) * mm for z in path.places]
     items += [dot(z, 0.7) for z in places]
     tags = [
@@ -40,7 +55,16 @@ def path_drawing(found: Found, path: Traced, title: str = "") -> Drawing:
         Tag((Symbol(path.name, "0"),), (start,), prefer=_outwards(start)),
     ]
     tags += [Tag((str(k),), (z,), prefer=_outwards(z), size=2.8) for k, z in enumerate(places)][1:]
-    return Drawing(tuple(items), title).labelled(tags)
+    motion = next(one for one in found.motions if one.stopped == still)
+    part = Moving((*carried, dot(start, 1.1)), axis, moving, about=CARRIER)
+    moves = Moves((part,), tuple(carried), speed=motion.speed, once=CARRIER)
+    return Drawing(tuple(items), title, moves=moves).labelled(tags)
+
+
+def _circle(centre: complex, radius: float, reach: float) -> Iterator[Item]:
+    """The pitch circle of a wheel, where it is no larger than the path."""
+    if abs(centre) + radius <= reach:
+        yield Circle(centre, radius, AXIS)
 
 
 def _outwards(z: complex) -> complex:

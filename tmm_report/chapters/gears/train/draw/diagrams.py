@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tmm_report.chapters.gears.train.draw.scheme import Scheme
+from tmm_report.chapters.gears.train.draw.turning import turning
 from tmm_report.chapters.gears.train.solve.plans import Plans
 from tmm_report.chapters.gears.train.solve.train import Found
 from tmm_report.figures.drawing import AXIS, NORMAL, THIN, Arrow, Drawing, Item, Pen, Tag, dot, line
@@ -19,7 +20,8 @@ def diagrams(found: Found, title: str) -> Drawing | None:
     plans = found.plans
     if plans is None:
         return None
-    items, tags = Scheme(found).parts()
+    drawn = Scheme(found)
+    items, tags = drawn.parts()
     left, bottom, right, _ = Drawing(tuple(items)).box
     speeds = [spot.v / plans.velocity for spot in plans.spots]
     if not beside(found):
@@ -32,7 +34,8 @@ def diagrams(found: Found, title: str) -> Drawing | None:
     more, named = _angular(found, plans, origin)
     guides = linear.guides(left) if items else []
     whole = (*guides, *items, *linear.items(), *more)
-    return Drawing(whole, title).labelled([*tags, *linear.tags(), *named])
+    moves = turning(drawn) if items else None
+    return Drawing(whole, title, moves=moves).labelled([*tags, *linear.tags(), *named])
 
 
 def beside(found: Found) -> bool:

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from tmm_report.chapters.gears.train.draw.routes import Bar, Route, best, crossings
+from tmm_report.chapters.gears.train.draw.turning import turning
 from tmm_report.chapters.gears.train.solve.train import Found
 from tmm_report.figures.drawing import AXIS, NORMAL, THICK, THIN, Arrow, Drawing, Item, Tag, line
 from tmm_report.figures.lettering import symbol
@@ -39,8 +40,8 @@ class Scheme:
         self.wide: dict[str, float] = {}  # how far the rim of a wheel reaches to the right of its place
         self._columns()
         self.left, self.right = min(self.x.values()) - 14, max(self.x.values()) + 14
-        turning = [b for b in self.train.bodies if self._axis(b) == self.places.main and not self._carried(b)]
-        self.main = turning if found.given.carriers or found.built.bevel else []
+        main = [b for b in self.train.bodies if self._axis(b) == self.places.main and not self._carried(b)]
+        self.main = main if found.given.carriers or found.built.bevel else []
         least = min((r for name, r in self.places.radius.items()), default=1.0) / self.scale
         self.step = min(LEVEL, 0.8 * least / max(1, len(self.main)))
         self.route = self._routed()
@@ -58,6 +59,14 @@ class Scheme:
 
     def r(self, name: str) -> float:
         return self.places.radius[name] / self.scale
+
+    def half(self, name: str) -> float:
+        """From the axis of a wheel to its rim as it is drawn."""
+        return self.r(name) + (CLEAR if self.train.by_name[name].kind == "ring" else -CLEAR)
+
+    def rim(self, name: str) -> tuple[float, float]:
+        """The ends of its rim, along the axis."""
+        return self.x[name] - RIM, self.x[name] + self.wide[name] + RIM
 
     def _top(self, name: str) -> float:
         return self.y(name) + self.r(name)
@@ -169,7 +178,7 @@ class Scheme:
             if (self._carried(self.built.body(name)) or self.built.body(name) in self.main)
             and self.built.body(name) != body
         ]
-        tops = [self._cone(n).imag if self.built.tilted(n) else self._top(n) for n in others]
+        tops = [self.cone(n).imag if self.built.tilted(n) else self._top(n) for n in others]
         rings = [self.r(m.name) for m in self._members(body) if m.kind == "ring"]
         return max([*tops, *rings]) + OVER
 
@@ -198,7 +207,7 @@ class Scheme:
             return
         for m in self._members(body):
             if m.kind == "carrier":
-                for x, low, high, pin in self._arms(route, m.name):
+                for x, low, high, pin in self.arms(route, m.name):
                     if pin is not None:
                         yield Bar(body, complex(pin[0], low), complex(pin[1], low))
                     yield Bar(body, complex(x, base), complex(x, high if outside else low))
@@ -225,7 +234,7 @@ class Scheme:
         yield Bar(m.body, complex(x - RIM, rim), complex(x + RIM, rim))
         yield Bar(m.body, complex(x, rim), complex(x, rim + 3))
 
-    def _arms(
+    def arms(
         self, route: Route, carrier: str
     ) -> Iterator[tuple[float, float, float, tuple[float, float] | None]]:
         """x of each arm, heights between which it may stand, and the pin from end to end."""
@@ -242,9 +251,9 @@ class Scheme:
             yield x, y, y, (min([*xs, x]) - (1.8 if right else 0), max([*xs, x]) + (0 if right else 1.8))
         for name, of in self.built.carried.items():
             if of == carrier and self.built.tilted(name):
-                yield self.x[name], self._cone(name).imag, self._cone(name).imag, None
+                yield self.x[name], self.cone(name).imag, self.cone(name).imag, None
 
-    def _cone(self, name: str) -> complex:
+    def cone(self, name: str) -> complex:
         """The middle of a bevel wheel that lies across the main axis."""
         mate = next(
             (m.j if m.i == name else m.i) for m, flat in self._meshes() if not flat and name in (m.i, m.j)
@@ -282,7 +291,7 @@ class Scheme:
 
     def drawing(self, title: str) -> Drawing:
         items, tags = self.parts()
-        return Drawing(tuple(items), title).labelled(tags)
+        return Drawing(tuple(items), title, moves=turning(self)).labelled(tags)
 
     def parts(self) -> tuple[list[Item], list[Tag]]:
         items: list[Item] = [line(complex(self.left - END - 6, 0), complex(self.right + END + 6, 0), AXIS)]
@@ -305,14 +314,12 @@ class Scheme:
         if self._is_bevel(name):
             return self._bevel_wheel(name)
         m, x, y = self.train.by_name[name], self.x[name], self.y(name)
-        ring, wide = m.kind == "ring", self.wide[name]
-        half = self.r(name) + (CLEAR if ring else -CLEAR)
+        ring, wide, half = m.kind == "ring", self.wide[name], self.half(name)
+        start, end = self.rim(name)
         sides = (1,) if m.body in self.main else (1, -1)
         items: list[Item] = []
         for side in sides:
-            items.append(
-                line(complex(x - RIM, y + side * half), complex(x + wide + RIM, y + side * half), THICK)
-            )
+            items.append(line(complex(start, y + side * half), complex(end, y + side * half), THICK))
             if m.body not in self.main:
                 hub = 1.2 if m.carried_by or self._idler(m.body) else 0.0
                 items.append(line(complex(x, y + side * hub), complex(x, y + side * half), NORMAL))
@@ -332,15 +339,8 @@ class Scheme:
         """Its rim along the cone at each mesh; the web of a wheel across the main axis."""
         items: list[Item] = []
         middle = None
-        for mesh, flat in self._meshes():
-            if flat or name not in (mesh.i, mesh.j):
-                continue
-            across = self.across(self._group(mesh.i)[0])
-            other = mesh.j if mesh.i == across else mesh.i
-            if across not in (mesh.i, mesh.j):
-                continue
-            centre = self._cone(across)
-            contact = complex(self.x[other], centre.imag)
+        for across, contact, _ in self.contacts(name):
+            centre = self.cone(across)
             apex = complex(centre.real, 0)
             along = (contact - apex) / abs(contact - apex)
             aside = 1j * along * (1 if (1j * along).real * (contact.real - centre.real) < 0 else -1)
@@ -361,6 +361,15 @@ class Scheme:
         at = complex(self.x[name], way * self.r(name) * 0.7)
         return items, [Tag((symbol(name),), (at,), prefer=complex(-1 if self.x[name] < 0 else 1, 0))]
 
+    def contacts(self, name: str) -> Iterator[tuple[str, complex, str]]:
+        """Of the bevel meshes of a wheel that are drawn: the wheel across the main axis, where it touches the other."""
+        for mesh, flat in self._meshes():
+            if not flat and name in (mesh.i, mesh.j):
+                across = self.across(self._group(mesh.i)[0])
+                if across in (mesh.i, mesh.j):
+                    other = mesh.j if mesh.i == across else mesh.i
+                    yield across, complex(self.x[other], self.cone(across).imag), other
+
     def _far(self, name: str) -> float:
         mate = next(
             (m.j if m.i == name else m.i) for m, flat in self._meshes() if not flat and name in (m.i, m.j)
@@ -376,7 +385,7 @@ class Scheme:
         if all(self._is_bevel(name) for name in wheels):
             name = wheels[0]
             centre = (
-                self._cone(name) if name == self.across(self._group(name)[0]) else complex(self.x[name], 0)
+                self.cone(name) if name == self.across(self._group(name)[0]) else complex(self.x[name], 0)
             )
             yield line(centre, centre + 14j, THICK)
             for way in (1, -1):
@@ -413,7 +422,7 @@ class Scheme:
     def _carriers(self) -> Iterator[Tag]:
         for m in self.train.members:
             if m.kind == "carrier":
-                for x, low, _, _ in self._arms(self.route, m.name):
+                for x, low, _, _ in self.arms(self.route, m.name):
                     base = (
                         self.over(m.body) if m.body in self.route.outside else self.level(self.route, m.body)
                     )
@@ -449,7 +458,7 @@ class Scheme:
                 continue
             for name in (m.name for m in self._members(body)):
                 if name in (*self.built.inputs, *self.built.outputs):
-                    y = self._cone(name).imag + 14 if self._is_bevel(name) else self.y(name)
+                    y = self.cone(name).imag + 14 if self._is_bevel(name) else self.y(name)
                     x = (
                         self.x[name]
                         if self._is_bevel(name)
