@@ -18,11 +18,11 @@ Exponents = tuple[int, int, int, int]  # of metre, kilogram, second, radian
 
 
 class WrongValue(ValueError):
-    """A value that cannot be what its place wants: what is wrong, what would be right."""
+    """A value that cannot be what its place wants: what is wrong, what would be right; `inner`: at which key in it."""
 
-    def __init__(self, wrong: Message, right: Message | None = None):
+    def __init__(self, wrong: Message, right: Message | None = None, inner: str | None = None):
         super().__init__(str(wrong))
-        self.wrong, self.right = wrong, right
+        self.wrong, self.right, self.inner = wrong, right, inner
 
 
 class Dimension(NamedTuple):

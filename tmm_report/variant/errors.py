@@ -105,7 +105,7 @@ def _problem(
     kind, context = error["type"], error.get("ctx", {})
     cause = context.get("error")
     if isinstance(cause, WrongValue):
-        return Problem(cause.wrong, cause.right, path)
+        return Problem(cause.wrong, cause.right, path if cause.inner is None else (*path, cause.inner))
     if kind == "missing":
         return _missing(path, roots)
     if kind == "extra_forbidden":

@@ -6,6 +6,7 @@ from typing import Annotated
 
 from tmm_report.languages import LANGUAGES, language
 from tmm_report.problems import N_, Called, Message, ProblemError, shown
+from tmm_report.quantity.typed.alike import difference, skeleton
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.values import Reads, free_text
 
@@ -29,8 +30,10 @@ def called(value: object) -> str:
     for code in value:
         if code not in LANGUAGES:
             text = N_("a text by languages: %(code)s is none of them")
+            alike = next((one for one in LANGUAGES if skeleton(one) == skeleton(str(code))), None)
             known = Message(N_("known: %(codes)s"), {"codes": ", ".join(LANGUAGES)})
-            raise WrongValue(Message(text, {"code": shown(code)}), known)
+            right = known if alike is None else difference(str(code), alike)
+            raise WrongValue(Message(text, {"code": shown(code)}), right, str(code))
     if not value:
         raise WrongValue(Message(N_("a text is expected here")))
     return Called({code: free_text(text) for code, text in value.items()})
