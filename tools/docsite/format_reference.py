@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from tmm_report.languages import LANGUAGES
 from tmm_report.quantity.units import WrongValue, between
 
 Schema = Mapping[str, Any]
@@ -35,6 +36,7 @@ class Words:
     also: str
     title: str
     about: str
+    language: str = "en"
     name: str = "<name>"
     meaning: Say = str
     limits: Say = str
@@ -97,7 +99,8 @@ class Reference:
     """All tables of a schema, in the order in which a file has them. `ready`: variants as data, for examples."""
 
     def __init__(self, schema: Schema, ready: Mapping[str, Any], words: Words = ENGLISH):
-        self.schema, self.ready, self.words = schema, ready, words
+        self.schema, self.words = schema, words
+        self.ready = {name: _said(data, words.language) for name, data in ready.items()}
         self.tables: dict[str, Table] = {}
         for key, node in schema["properties"].items():
             self._walk(node, (key,))
@@ -318,6 +321,19 @@ class Reference:
             for name in one.get("required", ()) or list(one["properties"])[:2]
         ]
         return f"`{{{', '.join(f'{key}: …' for key in dict.fromkeys(keys))}}}`" if keys else "`…`"
+
+
+def _said(value: Any, language: str) -> Any:
+    """What a variant states, with a text by languages in one of them."""
+    if isinstance(value, list):
+        return [_said(one, language) for one in value]
+    if not isinstance(value, dict):
+        return value
+    return (
+        value[language]
+        if {*value} == {*LANGUAGES}
+        else {key: _said(one, language) for key, one in value.items()}
+    )
 
 
 def _measures(given: str, wanted: str) -> bool:

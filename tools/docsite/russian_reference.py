@@ -14,6 +14,7 @@ RUSSIAN = Words(
     list_of="список",
     required="*обязательно*",
     see="см.",
+    language="ru",
     also="Те же ключи в",
     title="Все ключи формата",
     about="Составлено по схеме, которую печатает `tmm-report schema --lang ru`. Число без единицы понимается в единице "
