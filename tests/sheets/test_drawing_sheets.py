@@ -29,6 +29,7 @@ from drawn import (
 from notes import note
 
 from tmm_report import render, sheets
+from tmm_report.chapters.title.given import Signer
 from tmm_report.commands.files import translator
 from tmm_report.figures.drawing import Drawing, Path, Pen, Text, line
 from tmm_report.figures.lettering import Symbol
@@ -354,11 +355,26 @@ def test_a_variant_without_a_picture_is_told_so(monkeypatch):
 
 def test_names_of_the_variant_stand_in_the_title_block():
     results = solved("compressor")
-    title = replace(results.variant.title, designation="ТММ.07.00.000", student="Ильина А. А.")
+    signed = (Signer("Нормоконтроль", "Котов Н. Н."), Signer("Консультант", "Репин К. К."))
+    title = replace(
+        results.variant.title, designation="ТММ.07.00.000 ПЗ", student="Ильина А. А.", signed=signed
+    )
     changed = replace(results, variant=replace(results.variant, title=title))
-    for sheet in sheets.composed(changed, translator(results.variant)):
+    for sheet in sheets.composed(changed, translator(results.variant), pictures_of("compressor")):
+        assert [role for role, name in sheet.said.people if name] == [
+            "Разраб.",
+            "Пров.",
+            "Консультант",
+            "Н. контр.",
+        ]
         written = {"".join(map(str, one.parts)) for one in sheet.frame[1]}
-        assert {"ТММ.07.00.000", "Ильина А. А.", f"Лист {sheet.said.number}"} <= written
+        assert {
+            "ТММ.07.00.000",
+            "Ильина А. А.",
+            "Котов Н. Н.",
+            "Репин К. К.",
+            f"Лист {sheet.said.number}",
+        } <= written
         # GOST 2.104: how many there are says the first
         assert ("Листов 4" if sheet.said.number == 1 else "Листов") in written
 

@@ -19,6 +19,16 @@ class View(Protocol):
         """What the conclusions of the note say of the chapter."""
 
 
+class Signer(Protocol):
+    """Who signs, and as what."""
+
+    @property
+    def role(self) -> str: ...
+
+    @property
+    def name(self) -> str: ...
+
+
 class Title(Protocol):
     """What the title page says; its template knows the rest."""
 
@@ -39,6 +49,9 @@ class Title(Protocol):
 
     @property
     def teacher(self) -> str: ...
+
+    @property
+    def signed(self) -> Sequence[Signer]: ...
 
 
 class Note(Protocol):

@@ -8,6 +8,7 @@ for and the sheet has room, it is larger, at another scale of the same row, whic
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
 from importlib.util import find_spec
 
@@ -19,10 +20,13 @@ from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.report.numbering import Numbering
 from tmm_report.report.page import Page
-from tmm_report.report.paper.frames import ROLES, WORDS
+from tmm_report.report.paper.frames import ROLES, WORDS, signers
 from tmm_report.sheets.pictures import KINDS, Figure, Kept, figures
 
 SMALLER = (2.0, 2.5, 4.0, 5.0, 10.0, 15.0, 20.0, 25.0, 40.0, 50.0, 75.0, 100.0)
+NOTE = re.compile(
+    r"[\W_]*\bПЗ$"
+)  # GOST 2.102: of the designation that which makes it the note's and not the drawings'
 FORM = WORDS | {"Масса": N_("Mass"), "Масштаб": N_("Scale"), "Формат": N_("Format")}
 ROLES_HERE = (*ROLES[:2], N_("Tech. check"), "", *ROLES[3:])
 
@@ -44,11 +48,10 @@ def composed(results: Results, tr: Translator, drawn: Sequence[Figure] | None = 
 def _said(results: Results, tr: Translator, sheet: str, n: int, count: int) -> Said:
     title, t = results.variant.title, tr.gettext
     page = Page(Kept(), tr, Numbering())
-    people = [page.name(title.student), page.name(title.teacher), "", "", "", ""]
     own = [page.name(text) for text in (title.institution, title.group) if text]
     return Said(
-        page.name(title.designation), page.name(title.topic), t(sheet), ", ".join(own),
-        [(t(role) if role else "", name) for role, name in zip(ROLES_HERE, people, strict=True)],
+        NOTE.sub("", page.name(title.designation)), page.name(title.topic), t(sheet), ", ".join(own),
+        signers(title, page, ROLES_HERE),
         "\N{EN DASH}", n, count, {word: t(text) for word, text in FORM.items()},
     )  # fmt: skip
 

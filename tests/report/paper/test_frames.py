@@ -19,11 +19,17 @@ from pdf_words import POINT, Page, Word
 from typesetting import set_by_libreoffice, set_by_tex, set_by_typst
 
 from tmm_report import render
+from tmm_report.chapters.title.given import Signer, Title
 from tmm_report.commands.files import for_typst
 from tmm_report.figures.drawing import Drawing, Text
 from tmm_report.figures.drawing import Path as Lines
 from tmm_report.figures.title_block import FIRST, NEXT, Said, first, following
+from tmm_report.i18n import Translator
 from tmm_report.profiles import shipped, stated
+from tmm_report.report.formats import Tex
+from tmm_report.report.numbering import Numbering
+from tmm_report.report.page import Page as NotePage
+from tmm_report.report.paper.frames import ROLES, signers
 
 NAME = "crank_rocker"
 FRAMED = stated(
@@ -223,6 +229,37 @@ def test_the_margins_grow_to_what_a_frame_needs():
     assert (
         not shipped().frames and "top-left-corner" not in render(solved(NAME), "html")["note.html"].decode()
     )
+
+
+ALL = ("Drawn by", "Checked by", "Tech. check", "", "Std. check", "Approved by")
+
+
+@pytest.mark.parametrize(
+    ("code", "role", "row"),
+    [
+        ("ru", "Нормоконтроль", 4), ("ru", "Н. контр.", 4), ("ru", "Нормоконтролёр", 4), ("ru", "Зав. кафедрой", 5),
+        ("ru", "Заведующий кафедрой", 5), ("ru", "Утвердил", 5), ("ru", "Техконтроль", 2), ("ru", "Т. контр.", 2),
+        ("uk", "Нормоконтроль", 4), ("uk", "Завідувач кафедри", 5), ("uk", "Затвердив", 5), ("en", "Std. check", 4),
+        ("kk", "Норма бақылау", 4), ("kk", "Кафедра меңгерушісі", 5), ("kk", "Бекіткен", 5), ("kk", "Т. бақылау", 2),
+        ("en", "Head of the department", 5), ("en", "Approved by", 5), ("en", "Tech. check", 2), ("ru", "Рецензент", 3),
+        ("en", "Head of laboratory", 3), ("ru", "Начальник бюро", 3), ("ru", "Технолог", 3), ("ru", "Проверил", 3),
+    ],
+)  # fmt: skip
+def test_who_signs_has_the_row_of_the_role(code, role, row):
+    """One of no row of the form, or of one that is taken, has the free row, by the role as it is stated."""
+    page = NotePage(Tex(), Translator(code), Numbering())
+    found = signers(Title(student="А", teacher="Б", signed=(Signer(role, "В"),)), page, ALL)
+    names = ["А", "Б", "", "", "", ""]
+    names[row] = "В"
+    assert [name for _, name in found] == names
+    assert found[3][0] == (role if row == 3 else "") and found[4][0] == page.tr.gettext("Std. check")
+
+
+def test_of_several_who_sign_each_has_a_row_of_its_own():
+    page = NotePage(Tex(), Translator("ru"), Numbering())
+    many = [("Утв.", "Г"), ("Зав. кафедрой", "Д"), ("Рецензент", "Е"), ("Проверил", "Ж")]
+    found = signers(Title(student="А", signed=tuple(Signer(*one) for one in many)), page, ROLES)
+    assert [name for _, name in found] == ["А", "Ж", "Д", "", "Г"] and found[2][0] == "Зав. кафедрой"
 
 
 LONG = "Проектирование и исследование механизмов поперечно-строгального станка с вращающейся кулисой " * 4

@@ -7,6 +7,7 @@ frames.css("first", face)           # url("data:…")
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -36,6 +37,13 @@ WORDS = {
     "Лит.": N_("Let."), "Листов": N_("Sheets"),
 }  # fmt: skip
 ROLES = (N_("Drawn by"), N_("Checked by"), "", N_("Std. check"), N_("Approved by"))
+# how departments call who signs a row, from the beginning of the word, in any of their languages
+CALLED = {
+    "Checked by": r"провер|перевір|тексер|check",
+    "Tech. check": r"т(ех\w*?)?\W*(контр|бақыл)|tech\w*\W*(check|control)",
+    "Std. check": r"н(орм\w*?)?\W*(контр|бақыл)|(norm|standard|std)\w*\W*(check|control)",
+    "Approved by": r"утв|затв|бекіт|approv|зав\w*\W*каф|кафедра меңг|head\W.*(department|chair)",
+}
 Cell = tuple[float, float, float, float]
 
 
@@ -52,14 +60,12 @@ class Frames:
     @cached_property
     def said(self) -> Said:
         name, t = self.page.name, self.page.tr.gettext
-        people = [name(self.title.student), name(self.title.teacher), "", "", ""]
         own = [name(text) for text in (self.title.institution, self.title.group) if text]
-        roles = [t(role) if role else "" for role in ROLES]
         return Said(
             name(self.title.designation),
             name(self.title.topic),
             ", ".join(own),
-            list(zip(roles, people, strict=True)),
+            signers(self.title, self.page, ROLES),
             {word: t(text) for word, text in WORDS.items()},
         )
 
@@ -126,6 +132,24 @@ class Frames:
     @property
     def forms(self) -> tuple[Form, Form]:
         return FIRST, NEXT
+
+
+def signers(title: Title, page: Page, roles: Sequence[str]) -> list[tuple[str, str]]:
+    """(role, name) for each row of a title block. Of those who sign beside the student and the teacher each has the row
+    of the role, the first one of another role the free row, "" among the roles."""
+    name, t = page.name, page.tr.gettext
+    rows = {role: (t(role) if role else "", "") for role in roles}
+    for role, person in zip(ROLES, (title.student, title.teacher), strict=False):
+        rows[role] = rows[role][0], name(person)
+    for one in title.signed:
+        own = name(one.role)
+        named = [role for role, words in CALLED.items() if role in rows and re.match(words, own.casefold())]
+        for role in (*named, ""):
+            shown, taken = rows[role]
+            if not taken and (role or not shown):
+                rows[role] = shown or own, name(one.name)
+                break
+    return list(rows.values())
 
 
 HEAD = 22.0  # mm: what the heading of the contents takes
