@@ -97,6 +97,20 @@ def test_a_plan_moves_to_what_is_constructed_in_another_position(file):
             assert abs(moved - complex(*z)) < 0.02 * max(sizes) + 0.3, n
 
 
+def test_parts_of_a_reaction_are_those_of_every_position():
+    """The tangential one is across its arm and has the moment of the whole reaction about the other end."""
+    found = data("compressor")
+    for key, end, about in (("R_12", "A", "B"), ("R_24", "C", "D")):
+        whole, part, arm = (
+            vector(found, key),
+            vector(found, f"{key}_t"),
+            place(found, end) - place(found, about),
+        )
+        largest = np.max(np.abs(whole)) * np.abs(arm)
+        assert np.max(np.abs((arm.conj() * part).real) / largest) < 1e-3
+        assert np.max(np.abs((arm.conj() * (whole - part)).imag) / largest) < 1e-3
+
+
 def in_equilibrium(found):
     assert schemes(found)
     metre = found["mechanism"]["scale"]  # m/mm

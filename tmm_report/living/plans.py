@@ -54,24 +54,24 @@ def _polygon(
     plan: Planned, cycle: Cycle, vectors: Mapping[str, Array], sent: Container[str]
 ) -> dict[str, Any] | None:
     """`ways`: from the vertex in which the plan begins on, a vertex, that from which it is reached, by which vector,
-    and in what sense."""
+    and whether along it or against it."""
     nodes, edges = _graph(plan)
     known = {e.key: vectors[e.key] / plan.scale for e in edges if e.key in vectors}
     if not known:
         return None
     position = _position(edges, known, cycle)
-    senses = [(e, sense) for e in edges if (sense := _sense(e, known, position))]
-    if not senses:
+    alike = [e for e in edges if e.key in known and _agrees(e, known[e.key][position])]
+    if not alike:
         return None
-    senses.sort(key=lambda one: one[0].key not in sent)
+    alike.sort(key=lambda one: one.key not in sent)
     ways: list[tuple[int, int, str, int]] = []
     reached = {edges[0].start}
     for _ in nodes:  # as many rounds as the longest way may have
-        for edge, sense in senses:
+        for edge in alike:
             if edge.start in reached and edge.end not in reached:
-                ways.append((edge.end, edge.start, edge.key, sense))
+                ways.append((edge.end, edge.start, edge.key, 1))
             elif edge.end in reached and edge.start not in reached:
-                ways.append((edge.start, edge.end, edge.key, -sense))
+                ways.append((edge.start, edge.end, edge.key, -1))
             reached |= {n for n, *_ in ways}
     return {
         "position": int(position),
@@ -137,13 +137,10 @@ def _position(edges: Sequence[_Edge], known: Mapping[str, Array], cycle: Cycle) 
     """The position in which the plan was constructed: in which its vectors are best those of the results."""
     drawn = np.array([e.vector for e in edges if e.key in known])
     of = np.array([known[e.key][cycle.numbered] for e in edges if e.key in known])
-    miss = np.minimum(np.abs(of - drawn[:, None]), np.abs(of + drawn[:, None])).sum(axis=0)
+    miss = np.abs(of - drawn[:, None]).sum(axis=0)
     return int(cycle.numbered[int(np.argmin(np.where(np.isfinite(miss), miss, np.inf)))])
 
 
-def _sense(edge: _Edge, known: Mapping[str, Array], position: int) -> int:
-    """In what sense the vector is drawn, ±1; 0 where it is another, or not known."""
-    if edge.key not in known:
-        return 0
-    vector, allowed = known[edge.key][position], AGREES * abs(edge.vector) + 0.3
-    return next((sense for sense in (1, -1) if abs(sense * vector - edge.vector) <= allowed), 0)
+def _agrees(edge: _Edge, vector: complex) -> bool:
+    """Whether the vector of the results is the one that is drawn."""
+    return bool(abs(vector - edge.vector) <= AGREES * abs(edge.vector) + 0.3)
