@@ -328,6 +328,18 @@ def test_what_one_sheet_does_not_hold_goes_on_to_the_next():
     assert sorted(titles) == sorted(f"План {n}" for n in range(9))
 
 
+def test_pictures_share_the_room_of_their_sheet():
+    """As much above, between and below them, and to either side."""
+    two = [figure(Drawing((line(0j, 100 + 50j),)), f"План {n}, масштаб 1:1") for n in (1, 2)]
+    [(size, blocks)] = sheets._sheets(two, Translator("ru"))
+    assert size.name == "A4"
+    first, second = sorted((block.box for block in blocks), key=lambda box: -box[1])
+    rooms = (297 - 5 - 14 - first[3], first[1] - second[3], second[1] - 5 - 55)
+    assert rooms == pytest.approx([sum(rooms) / 3] * 3, abs=0.1)
+    for left, _, right, _ in (first, second):
+        assert left - 20 == pytest.approx(210 - 5 - right, abs=0.1)
+
+
 def test_a_small_picture_has_small_paper():
     [(size, _)] = sheets._sheets([figure(Drawing((line(0j, 100 + 60j),)), "План")], Translator("ru"))
     assert size.name == "A4"

@@ -15,7 +15,7 @@ from importlib.util import find_spec
 from tmm_report.course import Results
 from tmm_report.figures.sheets.block import Block, Size
 from tmm_report.figures.sheets.form import Said
-from tmm_report.figures.sheets.sheet import FORMATS, LARGEST, Format, Sheet, placed, places
+from tmm_report.figures.sheets.sheet import FORMATS, LARGEST, Format, Sheet, placed, places, spread
 from tmm_report.i18n import Translator
 from tmm_report.problems import N_, Message, Problem, ProblemError
 from tmm_report.report.numbering import Numbering
@@ -85,7 +85,7 @@ def _enlarged(size: Format, figures: Sequence[Figure], tr: Translator) -> list[B
     found = places(size, sizes)  # nothing is moved before all have their size
     if len(found) < len(blocks):
         small = (figures[0].block(1 / times, tr) for times in SMALLER)
-        return list(next(held for one in small if (held := placed(size, [one]))).values())
+        return spread(size, list(next(held for one in small if (held := placed(size, [one]))).values()))
     left = [list(one.larger) for one in figures]
     asked: tuple[Callable[[int], bool], ...] = (
         lambda n: not blocks[n].clear,
@@ -102,7 +102,7 @@ def _enlarged(size: Format, figures: Sequence[Figure], tr: Translator) -> list[B
                     sizes[n] = blocks[n].size
                 else:
                     left[n] = []  # still larger it has no room either
-    return [one.at(*found[n]) for n, one in enumerate(blocks)]
+    return spread(size, [one.at(*found[n]) for n, one in enumerate(blocks)])
 
 
 def _held(

@@ -23,6 +23,7 @@ from tmm_report.records import dataclass
 Array = Any
 
 BINDING, EDGE = 20.0, 5.0  # mm: from the frame to the edge of the paper
+SETTLED = 12  # rounds after which pictures that share the room stay where they are
 GAP = 8.0  # mm between pictures, and between them and the frame
 
 
@@ -139,6 +140,30 @@ def places(format: Format, sizes: Sequence[Size]) -> dict[int, tuple[float, floa
             found[n] = left, top - tall
             free = _less(free, (left, top - tall, left + wide, top))
     return found
+
+
+def spread(format: Format, blocks: Sequence[Block]) -> list[Block]:
+    """Blocks moved so that no side is left white: each, the lowest and leftmost first, to the middle of what
+    is free between others, up and down and across, until they have settled."""
+    boxes = [list(one.box) for one in blocks]
+    for _ in range(SETTLED):
+        for along in (1, 0):
+            for box in sorted(boxes, key=lambda box: box[along]):
+                low, high = _free(format, boxes, box, along)
+                half = (box[along + 2] - box[along]) / 2
+                box[along], box[along + 2] = (low + high) / 2 - half, (low + high) / 2 + half
+    return [one.at(left, bottom) for one, (left, bottom, _, _) in zip(blocks, boxes, strict=True)]
+
+
+def _free(format: Format, boxes: Sequence[list[float]], box: list[float], along: int) -> tuple[float, float]:
+    """From where to where a box may be moved across (0), or up and down (1), with its gaps."""
+    low, high = format.field[along], format.field[along + 2]
+    aside = 1 - along
+    for other in (*boxes, format.block, format.turned):
+        if other[aside] < box[aside + 2] + GAP and box[aside] < other[aside + 2] + GAP:
+            low = max(low, other[along + 2]) if other[along + 2] <= box[along] else low
+            high = min(high, other[along]) if other[along] >= box[along + 2] else high
+    return low + GAP, high - GAP
 
 
 def placed(format: Format, blocks: Sequence[Block]) -> dict[int, Block]:
