@@ -23,7 +23,7 @@ HAIR = 0.2  # mm: letters of 3.5 mm in rows of 5 mm come as near
 
 EVERY = tuple(sorted(NAMES))
 # of all five kinds, of several sheets, alone, without a lever mechanism
-SOME = ("compressor", "hoist_drive", "cam_press", "shaper_project", "rotor")
+SOME = ("cam_press", "compressor", "hoist_drive", "shaper_project", "rotor")
 
 
 @cache

@@ -17,7 +17,6 @@ from drawn import (
     SOME,
     crossed,
     figures_on,
-    files_of,
     form_letters,
     ink,
     lines_of,
@@ -26,12 +25,13 @@ from drawn import (
     sheets_of,
     touching,
 )
+from exhaustive import many
 from notes import note
 
 from tmm_report import render, sheets
 from tmm_report.chapters.title.given import Signer
 from tmm_report.commands.files import translator
-from tmm_report.figures.drawing import Drawing, Path, Pen, Text, line
+from tmm_report.figures.drawing import Drawing, Path, Pen, Text, line, svg
 from tmm_report.figures.lettering import Symbol
 from tmm_report.figures.sheets.block import Block
 from tmm_report.figures.sheets.form import Said, form, within
@@ -111,7 +111,7 @@ def test_letters_that_touch_are_seen():
     assert not crossed(Block((line(-1 - 6j, 20 - 6j),), (one,), ()))
 
 
-@pytest.mark.parametrize("name", ("compressor", "rotor"))
+@pytest.mark.parametrize("name", many(("rotor", "compressor")))
 def test_every_picture_of_the_note_is_on_one_sheet(name):
     page = note(name, "html", depth=None)["note.html"].decode()
     assert sum(len(sheet.blocks) for sheet in sheets_of(name)) == page.count("<figure")
@@ -133,7 +133,7 @@ def test_sheets_have_their_chapters_in_the_order_of_the_project():
         assert all(word in titles[sheet] for word in words)
 
 
-@pytest.mark.parametrize("name", ("compressor", "cam_press", "shaper_project"))
+@pytest.mark.parametrize("name", many(("cam_press", "compressor", "shaper_project")))
 def test_vectors_on_the_sheet_are_those_of_the_results(name):
     """Of the SVG: the length of a vector, times what its title says of a millimetre, against results.json."""
     tables = json.loads(note(name, "json")["results.json"])["tables"]
@@ -145,21 +145,17 @@ def test_vectors_on_the_sheet_are_those_of_the_results(name):
         for key, value in zip(rows["key"], rows["graph"], strict=True):
             values.setdefault(key, []).append(abs(value))
     seen = 0
-    for sheet in sheets_of(name):
-        root = ElementTree.fromstring(files_of(name)[f"sheets/{sheet.name}.svg"])
-        arrows = [
-            (group.get("data-q"), *_ends(group)) for group in root.iter(f"{SVG}g") if group.get("data-q")
-        ]
-        for block in sheet.blocks:
-            found = re.search(r"План (?:скоростей|ускорений).*= ([\d,]+) \(м/с", said(block))
-            if not found:
-                continue
-            scale, (left, bottom, right, top) = float(found[1].replace(",", ".")), block.box
-            for key, start, end in arrows:
-                x, y = start.real, start.imag
-                if key in values and left <= x <= right and bottom <= y <= top:
-                    assert min(abs(abs(end - start) - value / scale) for value in values[key]) < 0.05
-                    seen += 1
+    for block in (block for sheet in sheets_of(name) for block in sheet.blocks):
+        found = re.search(r"План (?:скоростей|ускорений).*= ([\d,]+) \(м/с", said(block))
+        if not found:
+            continue
+        root, scale = ElementTree.fromstring(svg(Drawing(block.items))), float(found[1].replace(",", "."))
+        for group in root.iter(f"{SVG}g"):
+            if group.get("data-q") in values:
+                start, end = _ends(group)
+                own = values[group.get("data-q")]
+                assert min(abs(abs(end - start) - value / scale) for value in own) < 0.05
+                seen += 1
     assert seen >= 6
 
 
@@ -290,8 +286,6 @@ def test_the_designation_stands_on_its_head_in_the_upper_left_corner(text):
 @pytest.mark.parametrize("text", HOSTILE)
 def test_hostile_names_stay_text(text):
     sheet = Sheet("1_x", A1, (), stamped(text))
-    from tmm_report.figures.drawing import svg
-
     written = svg(sheet.drawing).encode("utf-8", "strict")
     root = ElementTree.fromstring(written)
     assert {element.tag for element in root.iter()} <= {
@@ -397,7 +391,7 @@ def test_a_sheet_alone_has_no_number():
     assert {"Лист", "Листов 1"} <= written and "Лист 1" not in written
 
 
-@pytest.mark.parametrize("name", ("compressor", "press", "shaper_project"))
+@pytest.mark.parametrize("name", many(("press", "compressor", "shaper_project")))
 def test_no_diagram_takes_the_room_of_a_plan(name):
     """Where diagrams have been made larger, no plan of vectors that is as in the note has room to be."""
     tr = translator(solved(name).variant)
