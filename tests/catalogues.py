@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import runpy
 import sys
 from functools import cache
@@ -11,6 +12,9 @@ from typing import Any
 import pytest
 from once import once
 
+LATIN_UNIT = re.compile(
+    r"(?:[0-9⁶]|\)s) (?:[mkM]?[mgNWJ]|M?Pa|Hz|deg|rad|rpm|s|min|h)(?![a-z_:(])"
+)  # behind a number
 TOOLS = Path(__file__).resolve().parent.parent / "tools"
 
 

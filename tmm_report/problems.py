@@ -21,7 +21,20 @@ def N_(text: str) -> str:
 LANGUAGE = N_("this is said in: en")
 
 
-class Called(str):
+class Rendered:
+    """What a sentence holds that every language writes in its own way."""
+
+    def render(self, translate: Callable[[str], str]) -> str:
+        """As the language of a catalogue writes it."""
+        raise NotImplementedError
+
+
+def language_of(translate: Callable[[str], str]) -> str:
+    """The code of a catalogue's language."""
+    return translate(LANGUAGE).rpartition(" ")[2]
+
+
+class Called(Rendered, str):
     """A name that a variant gives in several languages: itself as it gives it first; `by`: all of them, by the codes of
     the languages.
 
@@ -51,7 +64,7 @@ class Called(str):
 
     def render(self, translate: Callable[[str], str]) -> str:
         """The name in the language of a catalogue; as it is given first where it has none in that."""
-        return self.by.get(translate(LANGUAGE).rpartition(" ")[2], str(self))
+        return self.by.get(language_of(translate), str(self))
 
 
 def in_language(name: object, translate: Callable[[str], str]) -> str:
@@ -60,7 +73,7 @@ def in_language(name: object, translate: Callable[[str], str]) -> str:
 
 
 @dataclass(frozen=True)
-class Message:
+class Message(Rendered):
     """A translatable sentence: `text % values` once `text` is translated."""
 
     text: str
@@ -70,9 +83,7 @@ class Message:
         return self.render(str)
 
     def render(self, translate: Callable[[str], str]) -> str:
-        values = {
-            k: v.render(translate) if isinstance(v, Message | Called) else v for k, v in self.values.items()
-        }
+        values = {k: v.render(translate) if isinstance(v, Rendered) else v for k, v in self.values.items()}
         return translate(self.text) % values if values else translate(self.text).replace("%%", "%")
 
 

@@ -22,6 +22,7 @@ from tmm_report.commands.batch import run as command
 from tmm_report.commands.batch.inputs import Task, inputs
 from tmm_report.i18n import Translator
 from tmm_report.problems import Message, Problem, ProblemError
+from tmm_report.quantity.text import Amount, Typed
 from tmm_report.running.journal import read
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="signals")
@@ -290,7 +291,13 @@ def test_what_was_lost_is_tried_again_on_resuming(tmp_path, monkeypatch):
 # ---------------------------------------------------------------- parts
 
 
-VALUES = st.one_of(st.text(max_size=9), st.integers(-9, 9), st.floats(allow_nan=False, allow_infinity=False))
+VALUES = st.one_of(
+    st.text(max_size=9),
+    st.integers(-9, 9),
+    st.floats(allow_nan=False, allow_infinity=False),
+    st.builds(Amount, st.floats(-1e9, 1e9), st.integers(1, 9), st.sampled_from(["", "mm", "deg"])),
+    st.builds(Typed, st.sampled_from(["at: [40 deg, 0.5 m]", "2"])),
+)
 MESSAGES = st.recursive(
     st.builds(lambda v: Message("%(x)s", {"x": v}), VALUES),
     lambda inner: st.builds(lambda v: Message("%(x)s!", {"x": v}), inner),
@@ -306,7 +313,8 @@ PROBLEMS = st.builds(
 def test_a_mistake_is_told_alike_before_and_after_the_journal(given_problems):
     task = Task(0, "a", "a.yaml", b"", "k")
     record = json.loads(json.dumps(records.failed(task, records.WRONG, given_problems)))
-    assert [p.text() for p in records.problems(record)] == [p.text() for p in given_problems]
+    for say in (str, Translator("ru").gettext):
+        assert [p.text(say) for p in records.problems(record)] == [p.text(say) for p in given_problems]
 
 
 @pytest.mark.parametrize(

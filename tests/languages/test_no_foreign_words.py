@@ -5,13 +5,15 @@ from __future__ import annotations
 import html
 import re
 from functools import cache
+from gettext import GNUTranslations
 
 import pytest
-from catalogues import messages
+from catalogues import LATIN_UNIT, messages
 from exhaustive import many
 from notes import VARIANTS, note, static
 from spoken import EVERY, notes_in
 
+from tmm_report.i18n import DOMAINS, folder
 from tmm_report.languages import LANGUAGES
 from tmm_report.profiles import NAMES as PROFILES
 from tmm_report.profiles import shipped
@@ -66,3 +68,12 @@ def test_a_catalogue_has_no_letter_of_another_language(code):
         if set(re.findall("[\u0400-\u052f]", word.lower())) - letters
     }
     assert strange == set()
+
+
+@pytest.mark.parametrize("code", [row.code for row in LANGUAGES.values() if row.alphabet])
+def test_a_catalogue_has_units_in_the_letters_of_its_language(code):
+    """In the pieces of a variant that a message says, too: the program reads them so."""
+    said = [text for of in DOMAINS if (file := folder() / code / "LC_MESSAGES" / f"{of}.mo").is_file()
+            for text in GNUTranslations(file.open("rb"))._catalog.values()]  # fmt: skip
+    assert len(said) > 1000
+    assert [text for text in said if LATIN_UNIT.search(text)] == []

@@ -20,7 +20,7 @@ from tmm_report.i18n import Translator
 from tmm_report.interactive.brief import rows
 from tmm_report.languages import SIGNS
 from tmm_report.problems import Message
-from tmm_report.quantity.text import Amount, equalities, printed
+from tmm_report.quantity.text import Amount, Typed, equalities, printed
 from tmm_report.results import tables, values
 from tmm_report.terminal import Console
 
@@ -248,6 +248,13 @@ def test_names_in_sentences_are_left_as_they_are():
     lengths = equalities({"a": Amount(1.5e-5, unit="mm"), "b": Amount(2)})
     said = Message("%(name)s: %(eta)s; %(x)s", {"name": "jig 2.5 mm", "eta": Amount(-0.5), "x": lengths})
     assert str(printed(said, Translator("ru"))) == "jig 2.5 mm: −0,5; a = 1,5·10⁻⁵ мм, b = 2"
+
+
+def test_a_mistake_has_numbers_and_pieces_of_a_variant_in_the_units_of_its_language():
+    cure = Message("%(x)s; %(y)s", {"x": Amount(131.28, 6, "mm"), "y": Typed("at: [40 deg, 0.5 mm], 8 m*g")})
+    assert cure.render(Translator("ru").gettext) == "131,28 мм; at: [40 град, 0.5 мм], 8 м*г"
+    assert str(cure) == "131.28 mm; at: [40 deg, 0.5 mm], 8 m*g"
+    assert Message("%(x)s", {"x": Amount(19.5, unit="deg")}).render(Translator("kk").gettext) == "19,5°"
 
 
 def test_letters_of_the_table_are_those_of_the_note():

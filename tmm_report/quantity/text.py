@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from tmm_report.i18n import NP_, Translator
-from tmm_report.problems import Message
+from tmm_report.problems import N_, Message, Rendered, language_of
 from tmm_report.records import dataclass
 
 ZERO = 1e-9  # relative to the scale: anything smaller is the noise of a computation and prints as 0
@@ -179,6 +179,7 @@ UNITS = (
     NP_("unit", "V"),
     NP_("unit", "A"),
 )
+ANGLE = N_("20 deg")
 _SIGNS = str.maketrans({"*": "·", "^": "", "2": "²", "3": "³", "4": "⁴"})
 
 
@@ -196,7 +197,7 @@ def unit_text(unit: str, language: str) -> str:
 
 
 @dataclass(frozen=True)
-class Amount:
+class Amount(Rendered):
     """A number of a sentence, to `digits` significant ones; as text it is English."""
 
     value: float
@@ -205,10 +206,38 @@ class Amount:
 
     def text(self, tr: Translator) -> str:
         shown = number(self.value, self.digits, tr.decimal, scale=0.0)
-        return f"{shown} {unit_text(self.unit, tr.language)}" if self.unit else shown
+        unit = unit_text(self.unit, tr.language)
+        return f"{shown} {unit}" if unit not in ("", "°") else f"{shown}{unit}"
 
     def __str__(self) -> str:
         return self.text(Translator("en"))
+
+    def render(self, translate: Callable[[str], str]) -> str:
+        return self.text(Translator(language_of(translate)))
+
+
+_UNIT_TYPED = re.compile(r"(?<=[0-9⁶] )[A-Za-zµ]+(?:[*/^][A-Za-z0-9^]+)*")
+
+
+@dataclass(frozen=True)
+class Typed(Rendered):
+    """A piece of a variant as one types it: in each language with its own units, always with a point."""
+
+    written: str
+
+    def __str__(self) -> str:
+        return self.written
+
+    def render(self, translate: Callable[[str], str]) -> str:
+        tr = Translator(language_of(translate))
+        degree = translate(ANGLE).rpartition(" ")[2]
+
+        def unit(found: re.Match[str]) -> str:
+            return re.sub(
+                "[A-Za-zµ]+", lambda word: tr.pgettext("unit", word[0]), found[0].replace("deg", degree)
+            )
+
+        return _UNIT_TYPED.sub(unit, self.written)
 
 
 def amounts(values: Mapping[str, float], digits: int = 4) -> dict[str, Amount]:

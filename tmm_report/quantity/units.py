@@ -344,12 +344,14 @@ def _other_dimension(value: object, unit: str, exponents: Exponents, wanted: Dim
 
 def _weight(text: str, unit: str, given: Exponents, wanted: Exponents) -> Message | None:
     """What is meant by kilograms in place of a force, as old collections print it, or by the weight of a mass."""
+    from tmm_report.quantity.text import Amount  # with numpy: only what is told wrong needs it
+
     free_fall = (1, 0, -2, 0)
     if given == _FORCE and wanted == (0, 1, 0, 0):
         mass = parse(text, "force") / UNITS["kgf"][0]
         return Message(
             N_("%(weight)s is the weight of a mass of %(mass)s"),
-            {"weight": shown(text), "mass": f"{mass:.9g} kg"},
+            {"weight": shown(text), "mass": Amount(mass, 9, "kg")},
         )
     if _sum(given, free_fall) == wanted and (kilogram := re.search("kg|к[гГ]", unit)):
         force = unit.replace(kilogram[0], "kgf" if kilogram[0] == "kg" else "кгс", 1)

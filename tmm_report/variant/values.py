@@ -17,6 +17,7 @@ from pydantic_core import core_schema
 from tmm_report.mechanics.lever.synthesis import Wanted
 from tmm_report.problems import N_, Message, shown
 from tmm_report.quantity import units
+from tmm_report.quantity.text import Typed
 from tmm_report.quantity.typed.alike import difference, readings
 from tmm_report.quantity.units import DIMENSIONS, WrongValue
 from tmm_report.records import dataclass
@@ -55,7 +56,7 @@ def _quantity(value: object, dimension: str, low: float, high: float, limits: st
     name = Message(DIMENSIONS[dimension].name)
     if limits:
         text = N_("%(value)s is out of range: %(name)s from %(limits)s is expected")
-        wrong = Message(text, {"value": shown(value), "name": name, "limits": limits})
+        wrong = Message(text, {"value": shown(value), "name": name, "limits": Typed(limits)})
         raise WrongValue(wrong, _usual(value, dimension, low, high))
     text = N_("%(value)s is negative: %(name)s cannot be")
     if low > 0:
@@ -69,7 +70,7 @@ def _usual(value: object, dimension: str, low: float, high: float) -> Message | 
     if not size or not isinstance(value, int | float) or (unit == "%" and value <= 2):
         return None
     if low <= value * size <= high:
-        return Message(N_("did you mean %(near)s?"), {"near": f"{value} {unit}"})
+        return Message(N_("did you mean %(near)s?"), {"near": Typed(f"{value} {unit}")})
     return None
 
 

@@ -37,7 +37,7 @@ FAULTS = (
           "self.digits, tr.decimal, scale=0.0)", 'self.digits, ".", scale=0.0)',
           tests=SHOWN),
     Fault("a first hour: sentences have English units", "tmm_report/quantity/text.py",
-          "{shown} {unit_text(self.unit, tr.language)}", "{shown} {self.unit}", tests=SHOWN),
+          "unit = unit_text(self.unit, tr.language)", "unit = self.unit", tests=SHOWN),
     Fault("a first hour: a Russian kind is none", "tmm_report/commands/examples.py",
           "return english_key(word, {*KINDS, *every}) or word", "return word", tests=BEGUN),
     Fault("a first hour: words of values with their capitals alone", "tmm_report/variant/russian/__init__.py",

@@ -134,7 +134,7 @@ FAULTS = (
     Fault("a name is said as it is given first", "tmm_report/problems.py",
           "name.render(translate) if isinstance(name, Called) else str(name)", "str(name)", tests=CALLED),
     Fault("a name within a meaning is said as it is given first", "tmm_report/problems.py",
-          "if isinstance(v, Message | Called) else v for k", "if isinstance(v, Message) else v for k", tests=CALLED),
+          "if isinstance(v, Rendered) else v for k", "if isinstance(v, Message) else v for k", tests=CALLED),
     Fault("names that begin alike taken for one", "tmm_report/problems.py", "return self.by == other.by",
           "return str(self) == str(other)", tests=CALLED),
 )  # fmt: skip

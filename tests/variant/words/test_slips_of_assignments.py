@@ -4,11 +4,14 @@
 """
 
 import pytest
+from catalogues import LATIN_UNIT
 
 from tmm_report import loading
+from tmm_report.i18n import Translator
 from tmm_report.problems import ProblemError
 from tmm_report.resources import data_root
 
+RUSSIAN = Translator("ru").gettext
 LOADED = """language: en
 mechanism:
   frame: {O: [0, 0], C: [0.5, 0.6]}
@@ -188,6 +191,8 @@ def test_a_slip_is_told_once_with_its_line_and_cure(text, right, wrong, line, ke
     (told,) = caught.value.problems
     assert (told.line, told.key) == (line, key)
     assert cure in told.text()
+    echoed = told.right is None or told.right.text == "write %(text)s"  # as the file has it
+    assert echoed or not LATIN_UNIT.search(told.right.render(RUSSIAN))
 
 
 def test_there_are_many_slips_of_every_kind():

@@ -18,6 +18,7 @@ from tmm_report.course import LeverFound, Results
 from tmm_report.i18n import Translator
 from tmm_report.mechanics.lever.cycle import larger
 from tmm_report.problems import N_, Message, Problem, in_language
+from tmm_report.quantity.text import Amount, Typed
 from tmm_report.running.journal import Record
 
 DONE, CHECK, WRONG, LOST = "done", "check", "wrong", "lost"
@@ -118,9 +119,13 @@ def _as_data(problem: Problem) -> dict[str, Any]:
 
 
 def _plain(value: Any) -> Any:
-    """A message as [id, values]; numbers as they are; all else as text."""
+    """A message as [id, values]; numbers as they are, what stands with units by its parts; all else as text."""
     if isinstance(value, Message):
         return [value.text, {key: _plain(item) for key, item in value.values.items()}]
+    if isinstance(value, Amount):
+        return {"amount": [value.value, value.digits, value.unit]}
+    if isinstance(value, Typed):
+        return {"typed": value.written}
     return value if isinstance(value, int | float | str) and not hasattr(value, "__html__") else str(value)
 
 
@@ -139,7 +144,13 @@ def _of_data(data: Mapping[str, Any]) -> Problem:
 
 def _message(data: Any) -> Message:
     text, values = data
-    return Message(text, {k: _message(v) if isinstance(v, list) else v for k, v in values.items()})
+    return Message(text, {k: _value(v) for k, v in values.items()})
+
+
+def _value(data: Any) -> Any:
+    if isinstance(data, dict):
+        return Amount(*data["amount"]) if "amount" in data else Typed(data["typed"])
+    return _message(data) if isinstance(data, list) else data
 
 
 WHY = {

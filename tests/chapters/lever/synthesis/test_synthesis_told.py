@@ -1,11 +1,14 @@
 """What is told of a synthesis: what no linkage does, what the mechanism may take of it, and whose motion is asked."""
 
 import pytest
+from catalogues import LATIN_UNIT
 from synthesised import MECHANISMS
 
 from tmm_report import course, loading
+from tmm_report.i18n import Translator
 from tmm_report.problems import ProblemError
 
+RUSSIAN = Translator("ru").gettext
 CRANK = "crank_rocker: {K: 1.1, swing: 32 deg, rocker: 0.6 m"
 TOLD = {
     "{}": ("synthesis", "the kind of the linkage must be stated by one key"),
@@ -21,7 +24,7 @@ TOLD = {
     "{slotted_link: {stroke: 1 m, K: 1.5, swing: 1 rad, rod_ratio: 2}}": (
         "synthesis.slotted_link", "K or swing, with crank or frame; or crank and frame"),
     "{turning_guide: {stroke: 1 m, K: 1.5, frame: 1 m, rod_ratio: 2, transmission: 70 deg}}": (
-        "synthesis.turning_guide.transmission", "30 deg"),
+        "synthesis.turning_guide.transmission", "comes to 30°"),
     "{slider_crank: {stroke: 1 m}}": ("synthesis.slider_crank", "nothing says how long the rod is"),
     "{slider_crank: {stroke: 1 m, K: 1.2, ratio: 3, offset: 1 cm}}": (
         "synthesis.slider_crank.ratio", "its ratio follows"),
@@ -32,7 +35,7 @@ TOLD = {
     "{slider_crank: {stroke: 120 mm, K: 1.5, pressure_angle: 20 deg}}": (
         "synthesis.slider_crank.pressure_angle", "the least is"),
     "{slider_crank: {stroke: 120 mm, K: 1.2, ratio: 4, pressure_angle: 20 deg}}": (
-        "synthesis.slider_crank.pressure_angle", "more than the permitted 20 deg"),
+        "synthesis.slider_crank.pressure_angle", "more than the permitted 20°"),
     "{slider_crank: {stroke: 120 mm, K: 12}}": ("synthesis.slider_crank.K", "1 … 10"),
     f"{{{CRANK}, crank: 170 mm}}}}": ("synthesis.crank_rocker.crank", "less than 165.382 mm"),
     f"{{{CRANK}, crank: 1 mm}}}}": ("synthesis.crank_rocker.crank", "assembled anew"),
@@ -47,7 +50,7 @@ TOLD = {
     "{slotted_link: {stroke: 1 m, K: 1.5, rod: 1 m}}": ("synthesis.slotted_link", "exactly one of: frame, crank"),
     "{slotted_link: {stroke: 1 m, K: 1.5, frame: 1 m, rod: 1 mm}}": ("synthesis.slotted_link.rod", "too short"),
     "{turning_guide: {stroke: 1 m, K: 1.5, frame: 1 m, rod_ratio: 2, pressure_angle: 20 deg}}": (
-        "synthesis.turning_guide.pressure_angle", "30 deg"),
+        "synthesis.turning_guide.pressure_angle", "comes to 30°"),
     "{function: {y: sinh x, x: [1, 2], crank_from: 0, crank_turn: 1, rocker_from: 1, rocker_turn: 1, frame: 1 m}}": (
         "synthesis.function.y", "log10 x, ln x"),
     "{function: {y: x^2, x: [-1, 1], crank_from: 0, crank_turn: 1, rocker_from: 1, rocker_turn: 1, frame: 1 m}}": (
@@ -119,6 +122,7 @@ def test_what_cannot_be_is_told(text):
     assert any(problem.key == path and words in problem.text() for problem in told), [
         one.text() for one in told
     ]
+    assert not [one for one in told if LATIN_UNIT.search(one.sentence(RUSSIAN))]
 
 
 def problems(text):

@@ -4,6 +4,7 @@ import json
 import math
 
 import pytest
+from catalogues import LATIN_UNIT
 from note import read
 from notes import render
 from reading import wrong
@@ -11,8 +12,10 @@ from test_against_results import unmarked, wrong_cells, wrong_formulas
 from test_arithmetic import wrong_results
 
 from tmm_report import course, loading
+from tmm_report.i18n import Translator
 from tmm_report.problems import ProblemError
 
+RUSSIAN = Translator("ru").gettext
 DEMANDS = {
     "extremes of a rocker": "rocker_positions: {rocker: 300 mm, angles: [60 deg, 100 deg], frame: 400 mm}",
     "free frame": "rocker_positions: {rocker: 300 mm, angles: [60 deg, 100 deg], transmission: 30 deg}",
@@ -116,6 +119,7 @@ def test_slips_and_what_no_linkage_does(demand, key, words):
         found(demand)
     (problem,) = caught.value.problems
     assert problem.key == f"synthesis.{key}" and words in problem.text() and problem.right is not None
+    assert not LATIN_UNIT.search(problem.sentence(RUSSIAN))
 
 
 @pytest.mark.parametrize(

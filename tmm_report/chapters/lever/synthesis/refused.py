@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from tmm_report.problems import Message, ProblemError, mistake
+from tmm_report.quantity.text import Amount
 
 
 def refused(text: str, *keys: str, right: Message | None = None, **values: object) -> ProblemError:
@@ -12,9 +13,9 @@ def refused(text: str, *keys: str, right: Message | None = None, **values: objec
     return ProblemError([mistake(text, ("synthesis", *keys), right, **values)])
 
 
-def mm(length: float) -> str:
-    return f"{1e3 * length:.6g} mm"
+def mm(length: float) -> Amount:
+    return Amount(1e3 * length, 6, "mm")
 
 
-def degrees(angle: float) -> str:
-    return f"{math.degrees(angle):.5g} deg"
+def degrees(angle: float) -> Amount:
+    return Amount(math.degrees(angle), 5, "deg")

@@ -180,7 +180,7 @@ def _turns(s: Values, asked: CrankRocker) -> None:
             N_("the crank of %(crank)s cannot turn round: with %(others)s the shortest and the longest link are longer "
             "than the other two"),
             "crank_rocker", stated, right=Message(N_("leave it out: the best transmission angle chooses")),
-            crank=mm(a), others=", ".join(mm(one) for one in (b, c, d)),
+            crank=mm(a), others=Message("%(b)s, %(c)s, %(d)s", {"b": mm(b), "c": mm(c), "d": mm(d)}),
         )  # fmt: skip
     if s.number("theta") and not bool(family(s, asked, np.array([a])).one_assembly[0]):
         raise refused(

@@ -149,7 +149,7 @@ def _by_time_ratio(s: Values, asked: SliderCrank) -> None:
     s.offset = (s.rod**2 - s.crank**2) * sin(s.theta) / s.stroke
 
 
-def _anew(key: str, most: str) -> None:
+def _anew(key: str, most: object) -> None:
     raise refused(
         N_("the linkage would have to be assembled anew between its extreme positions"),
         "slider_crank", key, right=Message(N_("at most %(most)s with this time ratio"), {"most": most}),

@@ -23,6 +23,7 @@ from tmm_report.chapters.lever.kinetostatics.given import (
 from tmm_report.chapters.lever.structure import block as structure
 from tmm_report.chapters.lever.structure.block import FRAME, Names, names, no_link, no_point
 from tmm_report.problems import N_, Message, Problem, mistake, shown
+from tmm_report.quantity.text import Typed
 from tmm_report.quantity.units import DIMENSIONS
 from tmm_report.variant.errors import near
 from tmm_report.variant.gaps import not_all_round, not_to_the_end
@@ -175,7 +176,7 @@ def _over_the_cycle(load: Force | Moment, path: Path, read: Read) -> Iterator[Pr
         if turned > turns * TURN * (1 + 1e-12):
             text = N_("%(value)s is out of range: %(name)s from %(limits)s is expected")
             here = (*path, "by_angle", index, 0)
-            name, limits = Message(DIMENSIONS["angle"].name), f"0 … {360 * turns} deg"
+            name, limits = Message(DIMENSIONS["angle"].name), Typed(f"0 … {360 * turns} deg")
             yield mistake(text, here, value=shown(_written(read, here)), name=name, limits=limits)
     if values and len(values) > 1 and turns > 1 and values[-1][0] <= TURN * (1 + 1e-12):
         text = N_("the law ends within the first turn, the cycle has %(turns)s turns, %(angle)s deg")

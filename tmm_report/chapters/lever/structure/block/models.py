@@ -13,6 +13,7 @@ from tmm_report.chapters.lever.structure.block.strokes.models import StrokeModel
 from tmm_report.chapters.lever.structure.block.wheels.models import RackModel, RollingModel, WheelsModel
 from tmm_report.mechanics.lever.stated_masses import Statement, Synthesised
 from tmm_report.problems import N_, Message, shown
+from tmm_report.quantity.text import Typed
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import closed
 from tmm_report.variant.model import Model
@@ -183,7 +184,8 @@ def _placed(points: Any) -> Any:
             [f"{first}: 0", *(f"{point}: {100 * k} mm" for k, point in enumerate(rest, start=1))]
         )
         raise WrongValue(
-            wrong, Message(N_("the points with their places, such as {%(example)s}"), {"example": example})
+            wrong,
+            Message(N_("the points with their places, such as {%(example)s}"), {"example": Typed(example)}),
         )
     return points
 

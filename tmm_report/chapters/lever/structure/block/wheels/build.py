@@ -15,6 +15,7 @@ from tmm_report.mechanics.calculus.vectors import cross, dot
 from tmm_report.mechanics.lever.mechanism import FRAME, Guide, Mechanism, Slide
 from tmm_report.mechanics.lever.wheels.mesh import Mesh, Way
 from tmm_report.problems import N_, Message
+from tmm_report.quantity.text import Typed
 
 if TYPE_CHECKING:
     from tmm_report.chapters.lever.structure.block.models import MechanismModel
@@ -118,7 +119,7 @@ def _misses(model: WheelsModel, made: float, scale: float, apart: float) -> tupl
         return Message(text, values), Message(right, {"right": f"{2e3 * scale:.6g}", **values})
     radii = ", ".join(f"{1e3 * scale * r:.6g} mm" for r in model.radii or ())
     right = N_("radii: [%(right)s] in the same ratio, or axes %(made)s mm apart")
-    return Message(text, values), Message(right, {"right": radii, **values})
+    return Message(text, values), Message(right, {"right": Typed(radii), **values})
 
 
 # ---------------------------------------------------------------- racks and rails
