@@ -86,7 +86,7 @@ def _box(part: Part, num: Numbers) -> Laid:
     corners = (-1j * half, BOX.real - 1j * half, BOX.real + 1j * half, 1j * half)
     middle = complex(BOX.real / 2)
     items: list[Item] = [
-        polygon(corners, NORMAL, "white"),
+        polygon(corners, NORMAL),
         Text(middle + 2.4j, (part.index,), align=0),
         Text(middle - 2.4j, (Symbol("η", part.index), " = " + num(part.efficiency)), LETTER, 0),
     ]
