@@ -61,7 +61,7 @@ def _lefts(wide: Sequence[float]) -> list[float]:
 def _box(left: float, middle: float, long: float, text: str) -> list[Item]:
     low, high = middle - TALL / 2, middle + TALL / 2
     corners = (complex(left, low), complex(left + long, low), complex(left + long, high), complex(left, high))
-    return [polygon(corners, NORMAL, "white"), Text(complex(left + long / 2, middle), (text,), SIZE, 0)]
+    return [polygon(corners, NORMAL), Text(complex(left + long / 2, middle), (text,), SIZE, 0)]
 
 
 def _over(signal: Parts, at: complex) -> Text:
