@@ -19,7 +19,7 @@ from tmm_report.quantity.model import Book, Column, Quantity, Table, Value
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.text import number
-from tmm_report.quantity.ways import GIVEN, Input, Known, Line, OwnWays, Way, by_kind, formula, telling
+from tmm_report.quantity.ways import Input, Known, Line, OwnWays, Way, by_kind, formula, telling
 from tmm_report.quantity.written import variables
 from tmm_report.records import dataclass
 from tmm_report.report.formats import Html
@@ -43,7 +43,7 @@ class _Told(NamedTuple):
     @property
     def says(self) -> bool:
         """Whether it says more than that there is a method."""
-        return bool(self.worked or self.starts) or self.way.text in GIVEN
+        return bool(self.worked or self.starts) or self.way.ends
 
 
 def told(results: Results, page: Page, shown: Container[str]) -> dict[str, Any]:
@@ -137,13 +137,20 @@ class _Teller:
         the note tell."""
         name = of.key if table is None else f"{table.name}.{of.key}"
         kind = by_kind(table, of, of.key) if isinstance(of, Column) else None
-        ways = [*_own_ways(chapter).of(name), *([(kind, ())] if kind is not None else [])]
+        own = _own_ways(chapter)
+        ways = [*own.of(name), *([(kind, ())] if kind is not None else [])]
         if table is None and of.key in self.defined and not any(way.beside for way, _ in ways):
             return None
-        return telling(self._one(way, parts, found, table, of) for way, parts in ways)
+        return telling(self._one(own, way, parts, found, table, of) for way, parts in ways)
 
     def _one(
-        self, way: Way, parts: tuple[str, ...], found: Any, table: Table | None, of: Column | Value
+        self,
+        own: OwnWays,
+        way: Way,
+        parts: tuple[str, ...],
+        found: Any,
+        table: Table | None,
+        of: Column | Value,
     ) -> _Told:
         row = None if table is None else _row(table, self.sample)
         known = _Asking(self.book, table, row, parts, of.key, found)
@@ -152,9 +159,9 @@ class _Teller:
             lines += way.worked(found, known) if way.worked is not None else ()
             unit = of.unit_of(known.row or 0) if isinstance(of, Column) else of.unit
             lines += formula(way, known, of.quantity.symbol or Symbol(of.key), unit)
-        list(known.inputs(known.named(way.of)))
-        own = f"{table.name}.{of.key}" if table is not None else of.key
-        starts = [self._start(*one) for name, one in known.asked.items() if name != own]
+        list(known.inputs(own.begins(way, known)))
+        whole = f"{table.name}.{of.key}" if table is not None else of.key
+        starts = [self._start(*one) for name, one in known.asked.items() if name != whole]
         return _Told(way, list(dict.fromkeys(map(self._line, lines))), starts[:MOST])
 
     def _line(self, line: Line) -> str:

@@ -63,7 +63,8 @@ class Way:
 
     `text`: the method in a sentence; `of`: names of the numbers that it starts with; those that a variant has not are
     passed over. `by`: the formula. `worked`: what is written out with numbers, from what the chapter found. `beside`:
-    it is told beside the formulas of the note, too, as these only approach the number.
+    it is told beside the formulas of the note, too, as these only approach the number. `enough`: the sentence says all,
+    for what is counted or looked up.
     """
 
     keys: str
@@ -72,6 +73,12 @@ class Way:
     by: Callable[[Known], Expr] | None = None
     worked: Callable[[Any, Known], Iterable[Line]] | None = None
     beside: bool = False
+    enough: bool = False
+
+    @property
+    def ends(self) -> bool:
+        """Whether it needs no inputs."""
+        return self.enough or self.text in GIVEN
 
 
 def fits(pattern: str, name: str) -> tuple[str, ...] | None:
@@ -143,6 +150,14 @@ class OwnWays:
                 if number not in found and (parts := fits(near.pattern, one)) is not None:
                     found[number] = near.way, parts
         return (found[number] for number in sorted(found))
+
+    def begins(self, way: Way, known: Known) -> Iterator[str]:
+        """Names of what a way starts with: what it finds itself, all together, it does not start with."""
+        for name in known.named(way.of):
+            own = known.table is not None and name in known.table
+            whole = f"{known.table.name}.{name}" if own and known.table is not None else name
+            if next((one for one, _ in self.of(whole)), None) is not way:
+                yield name
 
     def _near(self, name: str) -> list[_Named]:
         """Names that may fit."""

@@ -10,6 +10,7 @@ TRAIN, ECCENTRIC = "tmm_report/chapters/gears/train/draw/", "tmm_report/chapters
 MOVES = ("tests/living/test_living_moves.py",)
 LOADS = ("tests/living/test_living_loads.py",)
 TOLD = ("tests/living/test_living_told.py",)
+CIRCLES = ("tests/commands/test_explain_circles.py",)
 DATA, SEEN = ("tests/living/test_living_data.py",), ("tests/living/test_living_page.py",)
 
 FAULTS = (
@@ -101,6 +102,12 @@ FAULTS = (
     Fault("a vector without a formula of its own is told by none", SCRIPT + "fellows.js",
           'return ["_x", "_y"].map((c) => formulaOf(key + c, row, table)).filter(Boolean);', "return [];",
           "compressor", TOLD),
+    Fault("the ratio by the teeth is told by the ratio at work", "tmm_report/chapters/gears/drive/ways.py",
+          'Way("drive_u_teeth", by=lambda q: _over_stages(q, "u"))', 'Way("drive_u_teeth", WILLIS, of="drive_u")',
+          "hoist_drive", CIRCLES),
+    Fault("what a way finds together begins with itself", "tmm_report/quantity/ways.py",
+          "for one, _ in self.of(whole)), None) is not way", "for one, _ in self.of(whole)), None) is not None",
+          "hoist_drive", CIRCLES),
     Fault("a star in the name of a number stands for a dot", "tmm_report/quantity/ways.py",
           'if "." not in before and name.startswith(part, at):', "if name.startswith(part, at):", "compressor",
           ("tests/quantity/test_fitting_names.py",)),

@@ -14,7 +14,7 @@ from tmm_report.course import Results, room, with_data
 from tmm_report.quantity.formula import Formula
 from tmm_report.quantity.model import Book
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.quantity.ways import GIVEN, Input, Known, Line, OwnWays, Way, by_kind, formula, telling
+from tmm_report.quantity.ways import Input, Known, Line, OwnWays, Way, by_kind, formula, telling
 from tmm_report.records import dataclass
 from tmm_report.results import tables, values
 
@@ -32,7 +32,7 @@ class Told:
     @property
     def says(self) -> bool:
         """Whether it says more than that there is a method."""
-        return bool(self.worked or self.formulas) or any(self.inputs) or self.way.text in GIVEN
+        return bool(self.worked or self.formulas) or any(self.inputs) or self.way.ends
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,15 +49,17 @@ class Ways:
     def told(self, target: Target) -> Told | None:
         """The way to a number: the first that says with which numbers; None where its chapter has none."""
         chapter, found = self._chapter(target)
-        own = OwnWays(room(chapter, "ways").WAYS).of(target.name.partition(".")[2])
+        own, name = OwnWays(room(chapter, "ways").WAYS), target.name.partition(".")[2]
         kind = by_kind(target.table, target.column, target.quantity.key)
         of_kind = [(kind, ())] if kind is not None else []
-        return telling(self._one(target, found, way, parts) for way, parts in chain(own, of_kind))
+        return telling(
+            self._one(target, found, own, way, parts) for way, parts in chain(own.of(name), of_kind)
+        )
 
-    def _one(self, target: Target, found: Any, way: Way, parts: tuple[str, ...]) -> Told:
+    def _one(self, target: Target, found: Any, own: OwnWays, way: Way, parts: tuple[str, ...]) -> Told:
         rows: list[int | None] = [*target.rows] if target.table is not None else [None]
         known = [Known(self.book, target.table, row, parts, target.quantity.key, found) for row in rows]
-        names = known[0].named(way.of) if known else []
+        names = list(own.begins(way, known[0])) if known else []
         inputs = [list(one.inputs(names)) for one in known]
         worked = [line for one in known for line in way.worked(found, one)] if way.worked is not None else []
         formulas = list(chain.from_iterable(_formula(way, target, one) for one in known))

@@ -131,7 +131,8 @@ WAYS = (
     Way("stage*_omega_*", SPEED, of="stage{0}_ratio drive_u"),
     Way("stage*_sliding_limit", LIMIT, of="stage{0}_v_pitch"),
     Way("stage*_v_way", PATH, of="stage{0}_active stage{0}_line"),
-    Way("stage*_alpha_w stage*_inv_alpha", INVOLUTE, of="stage{0}_inv_alpha_w stage{0}_alpha"),
+    Way("stage*_inv_alpha stage*_inv_alpha_w", INVOLUTE, of="stage{0}_alpha stage{0}_x_sum"),
+    Way("stage*_alpha_w", INVOLUTE, of="stage{0}_inv_alpha_w stage{0}_alpha"),
     Way(
         "stage*_a_w stage*_backlash stage*_backlash_n",
         OF_AXES,

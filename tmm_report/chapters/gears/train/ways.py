@@ -77,7 +77,7 @@ WAYS = (
     Way("train_P_taken", by=lambda q: q("train_P_supplied") - q("train_P_lost")),
     Way("train_P_lost train_P_differential", LOSSES, of="train_freedom"),
     Way("train_P_circulating", BACK_LOOP, of="train_P_lost"),
-    Way("train_freedom", FREEDOM, of="train_P_lost"),
+    Way("train_freedom", FREEDOM, enough=True),
     Way("train_mu_l train_mu_v train_mu_omega", SCALE, of="train_freedom train_h"),
     Way("train_*", STATED),
 )

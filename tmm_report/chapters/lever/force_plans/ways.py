@@ -57,7 +57,7 @@ WAYS = (
     Way("reduced_*.F_I", WRITTEN, worked=_of_link("F_I")),
     Way("reduced_*.M_I", WRITTEN, worked=_of_link("M_I")),
     Way("reduced_*.h", by=lambda q: abs(q("M_I")) / q("F_I")),
-    Way("reduced_*.*", ONE_FORCE, of="link h"),
+    Way("reduced_*.*", ONE_FORCE, of="link"),
     Way("lever_arms_*.arm_mm", LEVER_ARM, of="force point accuracy"),
     Way(
         "lever_arms_*.moment",

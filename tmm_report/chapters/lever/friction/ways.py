@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from tmm_report.chapters.lever.friction.quantities import LENGTH
+from tmm_report.chapters.lever.kinetostatics.quantities.positions import both
 from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Var
-from tmm_report.quantity.ways import NAME, STATED, Known, Way, summed
+from tmm_report.quantity.ways import AXIS, COUNTED, NAME, STATED, Known, Way, summed
 
 BOOK = N_("From the table of materials, by the two that rub and their lubrication.")
 TABLE = N_("Stated, or the middle of the range in the table of materials by the two that rub.")
@@ -53,6 +54,16 @@ def _pressed(q: Known) -> Expr:
     return force
 
 
+def _pressing(q: Known) -> Expr:
+    """The reaction of either link of the pair on the other."""
+    one, _, other = q.parts[0].partition("-")
+    known = (f"reactions_table.R_{both(*of)}" for of in ((one, other), (other, one)))
+    for name in known:
+        if q.has(name):
+            return q(name)
+    raise KeyError(q.parts[0])
+
+
 WAYS = (
     Way("friction_given.links friction_given.name friction_given.kind friction_materials.links", NAME),
     Way("friction_given.f", TABLE, of="name kind"),
@@ -65,13 +76,15 @@ WAYS = (
     Way("E_fr", WORK, of="P_fr_mean"),
     Way("friction_table.P_fr", by=summed("P_fr_")),
     Way("friction_table.P_fr_*", PAIR, of="R_{0} N_{0} v_rel_{0} w_rel_{0} w_roll_* v_touch_*"),
-    Way("friction_table.M_*", TILTING, of="R_{0} N_{0}"),
+    Way("friction_table.M_*", TILTING, of="R_{0}"),
     Way("friction_table.N_*", PRESSED, by=_pressed, of="R_{0} M_{0}"),
-    Way("friction_table.R_*", PRESSING, of="P_fr_{0}"),
+    Way("friction_table.R_*", PRESSING, by=_pressing, of="phi"),
     Way("friction_table.w_roll_* friction_table.v_touch_*", TOUCHES, of="phi omega"),
     Way("friction_table.v_rel_* friction_table.w_rel_*", RELATIVE, of="rates_table.w_* phi"),
-    Way("friction_corrected_*.* friction_reactions_*.*", NEWTON, of="M_first M_bal_fr phi R_*"),
-    Way("P_fr_mean", MEAN, of="P_bal_mean eta_mean"),
+    Way("friction_corrected_*.position friction_reactions_*.position", COUNTED),
+    Way("friction_corrected_*.phi friction_reactions_*.phi", AXIS),
+    Way("friction_corrected_*.* friction_reactions_*.*", NEWTON, of="friction_table.R_*"),
+    Way("P_fr_mean", MEAN, of="omega law_time"),
     Way("eta_mean", WHOLE, of="P_bal_mean P_fr_mean"),
     Way("P_fr_corrected_mean eta_corrected_mean M_growth friction_steps", NEWTON, of="P_fr_mean eta_mean"),
     Way("friction_disagreement", MISS, of="P_fr_mean"),

@@ -14,7 +14,7 @@ from tmm_report.problems import N_
 from tmm_report.quantity.formula import Expr, Var, cos, sin, sqrt
 from tmm_report.quantity.laws import written
 from tmm_report.quantity.symbols import Symbol
-from tmm_report.quantity.ways import NAME, STATED, Known, Way, summed
+from tmm_report.quantity.ways import COUNTED, NAME, STATED, Known, Way, summed
 
 GROUPS = N_(
     "Found analytically, group by group in the order opposite to that of assembly: the "
@@ -208,6 +208,7 @@ WAYS = (
     Way("loads_at.phi reactions_at.phi balancing_at.phi", INSTANT, of="t"),
     Way("loads_at.t reactions_at.t balancing_at.t", INSTANT, of="phi"),
     Way("loads_at.* reactions_at.* balancing_at.*", AT, of="phi t"),
+    Way("stated_table.position", COUNTED),
     Way("stated_table.*", LAW, of="phi", by=_by_law),
     Way("loads_table.G_*_x", by=_weight_part("x")),
     Way("loads_table.G_*_y", by=_weight_part("y")),
@@ -215,15 +216,18 @@ WAYS = (
     Way("loads_table.F_I*_x", by=_inertia_part("x")),
     Way("loads_table.F_I*_y", by=_inertia_part("y")),
     Way("loads_table.F_I*", LOADS, by=_inertia),
+    Way("loads_table.F_I*_x loads_table.F_I*_y", LOADS, of="masses:{0}.m"),
+    Way("loads_table.F_I*", LOADS, of="masses:{0}.m"),
     Way("loads_table.M_I*", LOADS, by=lambda q: -q("masses:{0}.J") * q("rates_table.e_{0}")),
-    Way("loads_table.P_*_x", LAW, of="stated_table.P_{0} P_{0}_y"),
-    Way("loads_table.P_*_y", LAW, of="stated_table.P_{0} P_{0}_x"),
+    Way("loads_table.P_*_x", LAW, of="stated_table.P_{0} phi"),
+    Way("loads_table.P_*_y", LAW, of="stated_table.P_{0} phi"),
     Way("loads_table.P_*", LAW, of="stated_table.P_{0} P_{0}_x P_{0}_y", by=_by_law),
     Way("loads_table.M_*", LAW, of="stated_table.M_{0} phi", by=_by_law),
     Way("powers_table.N_sum", by=summed("N_", but="N_sum")),
     Way("powers_table.N_*", POWER, of="phi", by=_power),
-    Way("reactions_table.R_*_x", GROUPS, worked=worked, by=_part(cos), beside=True),
-    Way("reactions_table.R_*_y", GROUPS, worked=worked, by=_part(sin), beside=True),
+    Way("reactions_table.R_*_x reactions_table.R_*_y", GROUPS, worked=worked, beside=True),
+    Way("reactions_table.R_*_x", GROUPS, by=_part(cos), beside=True),
+    Way("reactions_table.R_*_y", GROUPS, by=_part(sin), beside=True),
     Way("reactions_table.R_*", GROUPS, worked=worked, by=_size, beside=True),
     Way("reactions_table.alpha_*", GROUPS, worked=worked, by=_angle, beside=True),
     Way("reactions_table.x_*", GROUPS, worked=worked, by=_offset, beside=True),
@@ -241,8 +245,8 @@ WAYS = (
     Way("force_extremes.*_side", SIDE, of="key"),
     Way("force_extremes.*", EXTREME, of="key least_at greatest_at"),
     Way("works.work", by=lambda q: q("driving") + q("resisting")),
-    Way("works.*", WORK, of="load work"),
-    Way("moment_senses.*", ZONES, of="from to work"),
+    Way("works.*", WORK, of="load"),
+    Way("moment_senses.*", ZONES, enough=True),
     Way("P_bal_mean", N_("The work of the balancing moment by the time of the cycle."), by=_mean),
     Way("works_sum", by=_share),
     Way("M_bal_min M_bal_max F_bal_min F_bal_max", EXTREME, of="omega law_time"),

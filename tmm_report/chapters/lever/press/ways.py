@@ -17,7 +17,7 @@ WAYS = (
     Way(
         "press_alpha_dead",
         N_("Where the slider stands still farthest to the stated side, over the whole cycle."),
-        of="press_stroke press_omega",
+        of="press_omega",
     ),
     Way(
         "press_stroke press_alpha_stroke",

@@ -110,7 +110,7 @@ WAYS = (
     Way("synthesis_frame_x synthesis_frame_y", PLACED, of="synthesis_along synthesis_away synthesis_rise"),
     Way("synthesis_ratio", FREE, of="synthesis_theta synthesis_stroke"),
     Way("synthesis_crank", FREE, of="synthesis_theta synthesis_half_chord synthesis_stroke synthesis_ratio"),
-    Way("synthesis_rocker", FREE, of="synthesis_frame synthesis_phi_1 synthesis_psi_1"),
+    Way("synthesis_rocker", FREE, of="synthesis_phi_1 synthesis_psi_1"),
     Way("synthesis_offset", FREE, of="synthesis_x_1 synthesis_phi_1"),
     Way(
         "synthesis_pressure synthesis_transmission", LEAST, of="synthesis_crank synthesis_rod synthesis_phi_1"

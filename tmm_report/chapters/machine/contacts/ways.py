@@ -21,7 +21,8 @@ WAYS = (
     Way("contacts.locks", LOCKS, of="kind phi_fr eta"),
     Way("contacts.f_low contacts.f_high", BOOK, of="name f"),
     Way("contacts.phi_fr", CONE, of="name f"),
-    Way("contacts.*", PAIR, of="number kind f phi_fr eta"),
+    Way("contacts.f", PAIR, of="number kind"),
+    Way("contacts.*", PAIR, of="number kind f phi_fr"),
     Way("contacts_*_eta", PAIR, of="contacts_{0}.*"),
     Way(
         "contacts_*.f contacts_*.f_base contacts_*.f_collar contacts_*.f_guide contacts_*.f_red",

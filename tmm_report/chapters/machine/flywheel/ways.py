@@ -68,7 +68,7 @@ def _assigned(q: Known) -> Expr:
 WAYS = (
     Way("flywheel_methods.method flywheel_proof.way", NAME),
     Way("flywheel_table.M_ex", SIDE, by=_excess, of="phi"),
-    Way("flywheel_table.M_dr flywheel_table.M_res", SIDE, of="phi M_ex flywheel_M_m"),
+    Way("flywheel_table.M_dr flywheel_table.M_res", SIDE, of="phi flywheel_M_m"),
     Way("flywheel_table.M_fr", RUBBING, of="friction_table.P_fr friction_table.T_fr phi omega flywheel_P_fr"),
     Way("flywheel_table.A", WORK, of="phi M_ex"),
     Way("flywheel_table.J_II", VARYING, of="reduced_inertia_table.I_red flywheel_J_c phi"),
@@ -85,7 +85,7 @@ WAYS = (
     ),
     Way("flywheel_methods.*", METHOD, of="method J_fl"),
     Way("flywheel_proof.delta", by=lambda q: (q("omega_max") - q("omega_min")) / q("flywheel_omega_m")),
-    Way("flywheel_proof.*", PROOF, of="way delta omega_max omega_min"),
+    Way("flywheel_proof.*", PROOF, of="way"),
     Way(
         "flywheel_C_E flywheel_J_own flywheel_J_shaft flywheel_sigma flywheel_D_lim flywheel_omega_min flywheel_psi_2",
         by=_assigned,
@@ -100,7 +100,7 @@ WAYS = (
     ),
     Way("flywheel_J_own", by=lambda q: q("flywheel_J_0") + q("flywheel_J_c")),
     Way("flywheel_J_c", LINKS, of="omega"),
-    Way("flywheel_delta_fine flywheel_delta_coarse", USUAL, of="flywheel_delta"),
+    Way("flywheel_delta_fine flywheel_delta_coarse", USUAL, enough=True),
     Way("flywheel_delta_0", BEFORE, of="flywheel_J_own flywheel_omega_m"),
     Way("flywheel_delta_run flywheel_closure", PROOF, of="flywheel_J_fl flywheel_omega_m"),
     Way("flywheel_A_max flywheel_A_min flywheel_eps_max flywheel_eps_min", EXTREME, of="flywheel_Phi"),

@@ -73,7 +73,7 @@ WAYS = (
     Way("governor_stiffness_needed governor_preload_allowed", LIMIT, of="governor_h governor_c governor_F_0"),
     Way("governor_spring_top", by=_top),
     Way("governor_p", HURWITZ, of="governor_X governor_Y"),
-    Way("governor_x_0 governor_r_min", START, of="governor_l_1 governor_l_2 governor_a governor_h"),
+    Way("governor_x_0 governor_r_min", START, of="governor_l_1 governor_l_2 governor_a"),
     Way("governor_omega_m", MIDDLE, of="governor_i"),
     Way(
         "governor_beta_min governor_beta_max governor_k_min",

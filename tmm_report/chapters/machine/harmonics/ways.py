@@ -27,7 +27,7 @@ WAYS = (
     Way(
         "harmonics_samples",
         N_("Equal steps of a turn, so many that the harmonics beyond them are next to nothing."),
-        of="harmonics_tail",
+        enough=True,
     ),
     Way("harmonics_*", STATED),
 )

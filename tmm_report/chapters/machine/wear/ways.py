@@ -65,7 +65,8 @@ WAYS = (
     ),
     Way("wear_*_even", EVEN, of="wear_{0}_greatest wear_{0}_parts"),
     Way("wear_*_pressure", GREATEST, of="wear_{0}_diameter wear_{0}_width wear_{0}_rubbed"),
-    Way("wear_*_cycles wear_*_period wear_*_life", TIME, of="omega wear_{0}_greatest"),
+    Way("wear_*_cycles wear_*_period", TIME, of="omega"),
+    Way("wear_*_life", TIME, of="omega wear_{0}_greatest"),
     Way("wear_*_stroke", N_("From one extreme position of the slider to the other."), of="H_*"),
     Way(
         "wear_*_covered",
