@@ -150,10 +150,10 @@ async function tellings() {
   }
 }
 
-function told(kind, { q, t }) {
+function told(kind, { q, t, k }) {
   const of = texts[kind];
-  const n = of[`${t ?? ""}.${q}`] ?? of[q];
-  return n === undefined ? "" : texts.texts[n];
+  const n = [of[`${t ?? ""}.${q}`] ?? of[q]].flat();
+  return texts.texts[n[k] ?? n[0]] ?? "";
 }
 
 // The name of a number in the results; of a cell of a comparison that of the column by positions which it compares.
@@ -171,7 +171,7 @@ function starts(name, k) {
     const place = table.endsWith("_table") && cycle?.numbered[k];
     const of = place !== false && place !== undefined && column(key, table);
     const cell = document.querySelector(`main td[data-q="${CSS.escape(key)}"][data-k="${CSS.escape(k)}"][data-t="${table}"]`);
-    return [told("meanings", { q: key, t: table }) || key, of ? `${text(of.values[place])} ${of.unit}` : cell?.textContent ?? ""];
+    return [told("meanings", { q: key, t: table, k }) || key, of ? `${text(of.values[place])} ${of.unit}` : cell?.textContent ?? ""];
   });
 }
 

@@ -88,6 +88,14 @@ def test_a_variant_that_states_little_tells_little():
     assert stated and not any(name in told["worked"] for name in stated)
 
 
+def test_a_number_of_a_row_is_called_as_the_row_calls_it():
+    """Teeth of each wheel of a table by its own index."""
+    told = data("hoist_drive")["told"]
+    for table, wheels in (("drive_speeds", "12345"), ("stage1_wheels", "12")):
+        said = [told["texts"][n].partition(" – ")[0] for n in told["meanings"][f"{table}.z"]]
+        assert [one for one in said if one[2:] in wheels] == [f"z_{wheel}" for wheel in wheels]
+
+
 CLICKED = """
 (async () => {
   const cell = document.querySelector('main td[data-q="%s"][data-k="%d"][data-t="%s"]');
@@ -197,6 +205,7 @@ def test_a_click_tells_formulas_that_the_note_leaves_out():
     assert left.keys() <= whole
     line = next(said for said, marks in left.items() if marks[-1] == ["s_a", 1, "stage2_wheels"])
     shown = clicked()["wheel"]["formulas"]
+    assert clicked()["wheel"]["all"].lstrip("×").startswith("sa5 – ")  # as the note calls that of its row
     assert line.replace("_", "").replace("^", "") in shown
     for key in ("d_a", "alpha_a", "d_b"):  # those of the same wheel, in front of it
         lead = next(said for said, marks in left.items() if marks[-1] == [key, 1, "stage2_wheels"])

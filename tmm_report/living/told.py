@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from tmm_report.course import Results, room, with_data
 from tmm_report.problems import Message
 from tmm_report.quantity.formula import Formula
-from tmm_report.quantity.model import Book, Column, Quantity, Table, Value
+from tmm_report.quantity.model import Book, Column, Table, Value
 from tmm_report.quantity.ref import Ref
 from tmm_report.quantity.symbols import Symbol
 from tmm_report.quantity.text import number
@@ -48,8 +48,9 @@ class _Told(NamedTuple):
 
 def told(results: Results, page: Page, shown: Container[str]) -> dict[str, Any]:
     """`ways`, `meanings`: name of a number, "key" or, where tables differ in it, "table.key" -> the place of its text
-    among `texts`; of the keys and names `shown` on the page. `worked`, by "table.key" or the key of a single number:
-    the places of the lines at position `sample`; `starts`: names of columns, or the places of a sign and a number."""
+    among `texts`, or the places of those of its rows; of the keys and names `shown` on the page. `worked`, by
+    "table.key" or the key of a single number: the places of the lines at position `sample`; `starts`: names of columns,
+    or the places of a sign and a number."""
     teller = _Teller(page, Plain(page.tr), Book.of(tables(results), values(results)), _sample(results))
     for chapter, found in with_data(results):
         quantities = room(chapter, "quantities")
@@ -111,7 +112,7 @@ class _Teller:
 
     def tell(self, chapter: str, found: Any, table: Table | None, of: Column | Value) -> None:
         key, name = of.key, of.key if table is None else f"{table.name}.{of.key}"
-        self._keep("meanings", key, name, self._named(of.quantity, of.quantity.symbol))
+        self._mean(name, of)
         one = self._told(chapter, found, table, of)
         if one is None:
             return
@@ -128,9 +129,17 @@ class _Teller:
         if words and self.found[kind].setdefault(key, self.put(words)) != self.put(words):
             self.found[kind][name] = self.put(words)
 
-    def _named(self, quantity: Quantity, symbol: Symbol | None) -> str:
-        meaning = said(quantity.meaning, self.page.tr, self.plain)
-        return meaning if symbol is None else f"{self.plain.symbol(symbol)} – {meaning}"
+    def _mean(self, name: str, of: Column | Value) -> None:
+        """What a number is; where the rows name it, of each row."""
+        if isinstance(of, Column) and len(set(of.symbols)) > 1:
+            rows = [self._named(of.meaning_of(k), symbol) for k, symbol in enumerate(of.symbols)]
+            self.found["meanings"][name] = [self.put(one) for one in rows]
+        else:
+            self._keep("meanings", of.key, name, self._named(of.quantity.meaning, of.quantity.symbol))
+
+    def _named(self, meaning: Message, symbol: Symbol | None) -> str:
+        words = said(meaning, self.page.tr, self.plain)
+        return words if symbol is None else f"{self.plain.symbol(symbol)} – {words}"
 
     def _told(self, chapter: str, found: Any, table: Table | None, of: Column | Value) -> _Told | None:
         """By the first way that says with which numbers, else by the first; None of a single number that formulas of
@@ -184,12 +193,13 @@ class _Teller:
         if column is not None:
             if column not in self.named:
                 self.named.add(column)
-                self._keep("meanings", one.quantity.key, column, self._named(one.quantity, one.symbol))
+                table, _, key = column.rpartition(".")
+                self._mean(column, self.book.tables[table][key])
             return column
         of = one.quantity
         if id(of) not in self.written:
-            self.written[id(of)] = of, self._named(of, one.symbol)
-        sign = self.written[id(of)][1] if one.symbol is of.symbol else self._named(of, one.symbol)
+            self.written[id(of)] = of, self._named(of.meaning, one.symbol)
+        sign = self.written[id(of)][1] if one.symbol is of.symbol else self._named(of.meaning, one.symbol)
         return sign, self._number(one)
 
     def _number(self, one: Input) -> str:

@@ -97,6 +97,8 @@ FAULTS = (
           "compressor", ("tests/page/drawings/test_measured_on_paper.py",)),
     Fault("a click works out position 0 in place of that of the note", LIVING + "told.py",
           "return at.index(sample) if sample in at else 0", "return 0", "compressor", TOLD),
+    Fault("wheels of a table are all called as the first", LIVING + "told.py",
+          "len(set(of.symbols)) > 1", "not of.symbols", "hoist_drive", TOLD),
     Fault("a click starts with the numbers of position 0", SCRIPT + "fellows.js",
           "text(of.values[place])", "text(of.values[0])", "compressor", TOLD),
     Fault("a vector without a formula of its own is told by none", SCRIPT + "fellows.js",
