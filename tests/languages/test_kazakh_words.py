@@ -1,4 +1,4 @@
-"""The list of Kazakh words for a native reader says what the notes say."""
+"""The list of Kazakh words for a native reader says what the notes and the ready variants say."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from catalogues import messages
+from notes import VARIANTS
 
 from tmm_report.wording.kazakh import SOFTENED
 
@@ -22,7 +23,8 @@ ROWS = [row for row in ROW.finditer(PAGE) if row["english"] != "English"]
 def said() -> str:
     tool = messages()
     texts = tool["messages"](tool["merged"]("kk", "note"))
-    return "\n".join(form for entry in texts for form in tool["as_forms"](entry.string or "")).lower()
+    forms = [form for entry in texts for form in tool["as_forms"](entry.string or "")]
+    return "\n".join([*forms, *(file.read_text("utf-8") for file in VARIANTS.glob("*.yaml"))]).lower()
 
 
 def with_endings(word: str) -> re.Pattern[str]:
