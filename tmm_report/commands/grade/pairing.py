@@ -106,13 +106,15 @@ def _names(tasks: Sequence[Task], roster: Roster) -> dict[str, str]:
 
 
 def _titled(task: Task) -> str:
-    """The student whom a variant names."""
+    """The student whom a variant names; of one named by languages the name given first, as everywhere in grading."""
     try:
         data = yamlread.loads(task.content, task.label).data
     except ProblemError:
         return ""
     title = data.get("title") if isinstance(data, dict) else None
     name = title.get("student") if isinstance(title, dict) else None
+    if isinstance(name, dict):
+        name = next(iter(name.values()), None)
     return name if isinstance(name, str) else ""
 
 
