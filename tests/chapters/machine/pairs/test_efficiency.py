@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 import pytest
+from conftest import solved
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -15,7 +17,8 @@ from tmm_report import course, loading
 from tmm_report.chapters.machine.efficiency import quantities, solve
 from tmm_report.chapters.machine.efficiency.draw import scheme
 from tmm_report.chapters.machine.efficiency.given import Given, Joined, Module, modules
-from tmm_report.figures.drawing import Path
+from tmm_report.figures.drawing import Item, Path
+from tmm_report.figures.sheets.block import block
 from tmm_report.mechanics.pairs import efficiency_chains
 from tmm_report.problems import ProblemError
 
@@ -156,11 +159,17 @@ def test_shares_of_input_and_output_say_the_same():
     )
 
 
+def boxes_of(items: Iterable[Item]) -> list[tuple[complex, ...]]:
+    """Corners of the modules; the frames of groups are dashed."""
+    closed = [item for item in items if isinstance(item, Path) and item.closed]
+    return [item.strokes[0] for item in closed if item.pen and not item.pen.dash]
+
+
 @settings(max_examples=15)
 @given(TREES)
 def test_no_boxes_of_the_scheme_overlap(tree):
     drawn = scheme(solve.solve(Given(tree), None), str)
-    boxes = [item.strokes[0] for item in drawn.items if isinstance(item, Path) and item.fill == "white"]
+    boxes = boxes_of(drawn.items)
     assert len(boxes) == len(list(modules(tree)))
     frames = [(min(z.real for z in b), min(z.imag for z in b), b) for b in boxes]
     for i, (x, y, _) in enumerate(frames):
@@ -170,7 +179,7 @@ def test_no_boxes_of_the_scheme_overlap(tree):
 def test_a_long_chain_is_folded_into_rows_that_fit_the_page():
     """18 modules in rows of six: each box once, in its order, and the arrows lead from the left to the right."""
     drawn = scheme(stated(f"{{series: [{', '.join(18 * ['{efficiency: 0.9}'])}]}}"), str)
-    boxes = [item.strokes[0] for item in drawn.items if isinstance(item, Path) and item.fill == "white"]
+    boxes = boxes_of(drawn.items)
     left = [(min(z.real for z in box), round(max(z.imag for z in box), 6)) for box in boxes]
     heights = sorted({y for _, y in left}, reverse=True)
     assert left == sorted(left, key=lambda at: (-at[1], at[0])) and len(set(left)) == 18
@@ -244,3 +253,14 @@ def test_the_table_of_the_parts_holds_together():
     assert into[0] == 10e3 and into[2] == out[1] and into[5] == out[2]
     assert into[3] + into[4] == pytest.approx(into[2])
     assert [str(table["eta"].symbol(row)) for row in range(3)] == ["eta", "eta_1", "eta_A"]
+
+
+def test_on_a_sheet_each_module_holds_its_number_and_its_efficiency():
+    """Written anew in the letters of a sheet: a value beside its box would be read as another's."""
+    sheet = block(scheme(solved("machine_train").efficiency, str), (), 1.5)
+    boxes = boxes_of(sheet.items)
+    assert len(boxes) == 8
+    for box in boxes:
+        low, high = (complex(of(z.real for z in box), of(z.imag for z in box)) for of in (min, max))
+        held = [one for one in sheet.letters if low.real < one.box[0] and one.box[2] < high.real]
+        assert len([one for one in held if low.imag < one.box[1] and one.box[3] < high.imag]) == 2
