@@ -17,7 +17,7 @@ from tmm_report.loading import loads
 
 MOST = {  # pages of the text and of the appendices, MB of the HTML
     ("compressor", "course"): (55, 30, 1.2),
-    ("compressor", "short"): (30, 2, 0.53),
+    ("compressor", "short"): (30, 2, 0.54),
     ("four-bar", "course"): (14, 3, 0.34),
     ("punch_press", "course"): (10, 2, 0.35),
 }
