@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from tmm_report.assignments.emit import scalar
 from tmm_report.problems import N_, Message, shown
-from tmm_report.quantity.text import Typed
+from tmm_report.quantity.text import for_example
 from tmm_report.quantity.units import DIMENSIONS, WrongValue, parse
 
 Cell = Decimal | str
@@ -32,7 +32,7 @@ def written(value: object, dimension: str | None = None) -> Written:
     match = _WRITTEN.fullmatch(text)
     if match is None:
         seen = shown(value) if isinstance(value, str | int | float) else "[…]"
-        right = Message(N_("for example, %(example)s"), {"example": Typed("85 mm")})
+        right = for_example("85 mm")
         raise WrongValue(Message(N_("%(value)s is not a number with a unit"), {"value": seen}), right)
     unit = match[2].strip()
     if unit and (dimension or not dimension_of(unit)):

@@ -12,7 +12,7 @@ from tmm_report.assignments.keys import path_of, value_at
 from tmm_report.assignments.model import Parameter, Template
 from tmm_report.assignments.numbers import Cell, Written, dimension_of, written
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
-from tmm_report.quantity.text import Typed
+from tmm_report.quantity.text import for_example
 from tmm_report.quantity.units import WrongValue
 from tmm_report.records import dataclass
 from tmm_report.variant.errors import near
@@ -43,10 +43,7 @@ def parameter(
 ) -> Parameter:
     """The parameter stated at a path of the ranges file. `before`: those above it. Raises ProblemError."""
     if not isinstance(stated, dict):
-        right = Message(
-            N_("for example, %(example)s"),
-            {"example": Typed("{key: …, from: 80 mm, to: 120 mm, step: 5 mm}")},
-        )
+        right = for_example("{key: …, from: 80 mm, to: 120 mm, step: 5 mm}")
         raise ProblemError([mistake(N_("keys with values are expected here"), path, right)])
     problems, paths = [*_named(name, path), *_known(stated, path)], tuple[Path, ...]()
     try:

@@ -13,7 +13,7 @@ from tmm_report.assignments.conditions import condition, mentions
 from tmm_report.assignments.model import Bound, Condition, Parameter, Ranges, Template
 from tmm_report.assignments.options import parameter
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake, shown
-from tmm_report.quantity.text import Typed
+from tmm_report.quantity.text import for_example
 from tmm_report.quantity.units import WrongValue, parse
 from tmm_report.variant.errors import near
 from tmm_report.yamlread import Document, Path
@@ -96,10 +96,7 @@ def _parameters(
     data: object, template: Template, document: Document, problems: list[Problem]
 ) -> tuple[Parameter, ...]:
     if not isinstance(data, dict) or not data or len(data) > MANY:
-        right = Message(
-            N_("for example, %(example)s"),
-            {"example": Typed("OA: {key: mechanism.links.1.points.A, from: 80 mm, to: 120 mm, step: 5 mm}")},
-        )
+        right = for_example("OA: {key: mechanism.links.1.points.A, from: 80 mm, to: 120 mm, step: 5 mm}")
         text = N_("from 1 to %(most)s parameters by their names are expected here")
         problems.append(mistake(text, ("parameters",), right, most=MANY))
         return ()
@@ -172,7 +169,5 @@ def _bounds(data: object, document: Document, problems: list[Problem]) -> Iterat
         if isinstance(limits, list) and len(limits) == 2 and limits != [None, None]:
             yield Bound(key, limits[0], limits[1], document.places.get(path))
         else:
-            right = Message(
-                N_("for example, %(example)s"), {"example": Typed(f"{shown(key)}: [150 mm, 260 mm]")}
-            )
+            right = for_example(f"{shown(key)}: [150 mm, 260 mm]")
             problems.append(mistake(N_("the least and the greatest value are expected here"), path, right))

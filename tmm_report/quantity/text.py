@@ -240,6 +240,11 @@ class Typed(Rendered):
         return _UNIT_TYPED.sub(unit, self.written)
 
 
+def for_example(written: str) -> Message:
+    """What would be right, by a piece of a variant."""
+    return Message(N_("for example, %(example)s"), {"example": Typed(written)})
+
+
 def amounts(values: Mapping[str, float], digits: int = 4) -> dict[str, Amount]:
     """Of a sentence whose units stand in its words."""
     return {key: Amount(value, digits) for key, value in values.items()}

@@ -10,7 +10,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from tmm_report.problems import N_, Message, Problem, mistake, shown
-from tmm_report.quantity.text import Typed
+from tmm_report.quantity.text import for_example
 from tmm_report.quantity.typed.alike import difference, skeleton
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.forms import fields_at, fields_of, forms_at
@@ -153,7 +153,7 @@ def _example(path: Path, roots: Roots) -> Message | None:
         return None
     first = examples[0]
     shown_as = f"[{', '.join(map(str, first))}]" if isinstance(first, list) else first
-    return Message(N_("for example, %(example)s"), {"example": Typed(f"{path[-1]}: {shown_as}")})
+    return for_example(f"{path[-1]}: {shown_as}")
 
 
 def _not_a_word(error: Any, path: Path) -> Problem:

@@ -122,3 +122,8 @@ def going_round(
     return [
         Moving((mark,), of=name, sense=sense, rise=complex(rise), across=across, side=side) for rise in rises
     ]
+
+
+def spot(at: complex) -> Circle:
+    """A mark of a wheel where it touches another, seen from the side."""
+    return Circle(at, 0.5, MARK, MARK.colour)

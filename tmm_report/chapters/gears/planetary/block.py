@@ -11,7 +11,7 @@ from tmm_report.chapters.gears.spur.given import Rack, signed_ratio
 from tmm_report.mechanics.gears.planetary.search import LARGEST_SHIFTED, Task
 from tmm_report.mechanics.gears.planetary.stage import SCHEMES, Member
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.text import Typed
+from tmm_report.quantity.text import for_example
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant.language import CalledBy
 from tmm_report.variant.model import Model
@@ -188,7 +188,7 @@ class PlanetaryModel(Model):
         if wanted == 3 and isinstance(self.module, tuple) and self.module[0] != self.module[1]:
             raise WrongValue(
                 Message(N_("a single row has one module")),
-                Message(N_("for example, %(example)s"), {"example": Typed("5 mm")}),
+                for_example("5 mm"),
             )
         for low, high in (self.external_teeth, self.ring_teeth, self.counts):
             if low > high:

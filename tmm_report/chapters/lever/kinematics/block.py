@@ -11,7 +11,7 @@ from tmm_report.chapters.lever.structure import block as structure
 from tmm_report.mechanics.calculus.motion_laws import MotionLaw
 from tmm_report.problems import N_, Message, Problem, mistake
 from tmm_report.quantity import units
-from tmm_report.quantity.text import Typed
+from tmm_report.quantity.text import for_example
 from tmm_report.quantity.units import WrongValue
 from tmm_report.variant import model
 from tmm_report.variant.model import Model, Read
@@ -136,12 +136,10 @@ def _beyond_the_cycle(written: PositionsModel, read: Read) -> Iterator[Problem]:
                     "by its law the driving link does not go on by this angle from position 0, or it turns back: "
                     "positions are stated by the time"
                 )
-                yield mistake(
-                    text, path, Message(N_("for example, %(example)s"), {"example": Typed("0.05 s")})
-                )
+                yield mistake(text, path, for_example("0.05 s"))
         elif timed and driver.speed == "drive":
             text = N_("the speed is that of the drive: positions are stated by the angle")
-            yield mistake(text, path, Message(N_("for example, %(example)s"), {"example": Typed("40 deg")}))
+            yield mistake(text, path, for_example("40 deg"))
         elif not 0 <= (value * abs(built.omega) if timed else value) <= whole * (1 + 1e-6):
             text = N_("it is beyond the cycle, from 0 to %(angle)s° or %(time)s s")
             angle, time = f"{math.degrees(whole):.6g}", f"{whole / abs(built.omega):.6g}"
@@ -151,7 +149,7 @@ def _beyond_the_cycle(written: PositionsModel, read: Read) -> Iterator[Problem]:
 def _beyond_the_stroke(value: float, law: MotionLaw | None, path: Path) -> Iterator[Problem]:
     if law is None:
         text = N_("positions are stated by a length only where a slider or a cylinder drives by its stroke")
-        yield mistake(text, path, Message(N_("for example, %(example)s"), {"example": Typed("40 deg")}))
+        yield mistake(text, path, for_example("40 deg"))
     elif not len(law.times_at(value)):
         low, high = (f"{end * 1e3:.6g}" for end in law.reach)
         text = N_("the stroke does not come there: it goes from %(low)s to %(high)s mm")

@@ -22,7 +22,7 @@ from tmm_report.chapters.lever.synthesis.refused import mm
 from tmm_report.chapters.lever.synthesis.solve import design, offered
 from tmm_report.mechanics.lever.stated_masses import Synthesised
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
-from tmm_report.quantity.text import Typed
+from tmm_report.quantity.text import for_example
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
 from tmm_report.variant.stated import Stated
@@ -116,7 +116,7 @@ def _clashes(written: Synthesis) -> Iterator[Problem]:
             needed = "rocker" if asked.crank_angles is None else "frame"
             if getattr(asked, needed) is None:
                 path = (*PATH, "rocker_positions", needed)
-                right = Message(N_("for example, %(example)s"), {"example": Typed(f"{needed}: 300 mm")})
+                right = for_example(f"{needed}: 300 mm")
                 yield mistake(N_("the key %(key)s is missing"), path, right, key=needed)
             yield from _apart(asked.angles, (*PATH, "rocker_positions", "angles"))
         case SliderPositions():
@@ -154,7 +154,7 @@ def _of_body(asked: Body) -> Iterator[Problem]:
     path = (*PATH, "body")
     two = len(asked.positions) == 2
     if two and asked.crank is None:
-        right = Message(N_("for example, %(example)s"), {"example": Typed("crank: 100 mm")})
+        right = for_example("crank: 100 mm")
         yield mistake(N_("two positions leave both pivots free: the crank must be stated"), path, right)
     for key in ("crank", "rocker", "crank_pivot", "rocker_pivot"):
         if not two and getattr(asked, key) is not None:

@@ -16,7 +16,7 @@ from tmm_report.chapters.machine.vibration.given import (
     TurningAbsorber,
 )
 from tmm_report.problems import N_, Message, Problem, mistake
-from tmm_report.quantity.text import Typed
+from tmm_report.quantity.text import for_example
 from tmm_report.variant import model
 from tmm_report.variant.model import Read
 from tmm_report.variant.stated import Stated
@@ -89,7 +89,7 @@ def _excited(written: Given, read: Read) -> Iterator[Problem]:
         wrong = N_("the frequency of the shaking force is that of the driving link")
         yield mistake(wrong, ("vibration", "speed"), Message(N_("leave it out")))
     elif stated != ["mechanism"] and written.speed is None:
-        right = Message(N_("for example, %(example)s"), {"example": Typed("speed: 750 rpm")})
+        right = for_example("speed: 750 rpm")
         yield mistake(N_("the frequency of the excitation is missing"), ("vibration",), right)
 
 

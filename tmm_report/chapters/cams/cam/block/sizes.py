@@ -28,7 +28,7 @@ from tmm_report.mechanics.cams.sizes.least_size import Lever, Size, Zone
 from tmm_report.mechanics.cams.sizes.rules import by_shaft, chosen, roller_limits
 from tmm_report.mechanics.cams.stated_profile import ByProfile
 from tmm_report.problems import N_, Message
-from tmm_report.quantity.text import Typed
+from tmm_report.quantity.text import for_example
 
 STEP = 1e-3  # m: to whole steps a chosen roller is rounded down
 LIMITS = {Sliding: math.radians(30.0), Swinging: math.radians(45.0)}  # of the pressure angle, the course's
@@ -182,7 +182,7 @@ def face_away(motion: Swinging, face: complex) -> float:
 def _curvature(model: CamStated) -> float:
     if model.least_curvature is None:
         text = N_("under a flat face the smallest cam follows from the least radius of curvature")
-        right = Message(N_("for example, %(example)s"), {"example": Typed("least_curvature: 5 mm")})
+        right = for_example("least_curvature: 5 mm")
         raise Wrong("base", Message(text), right)
     return model.least_curvature
 

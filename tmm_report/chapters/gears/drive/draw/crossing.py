@@ -13,7 +13,7 @@ from tmm_report.chapters.gears.ordinary.given import WormStage
 from tmm_report.chapters.gears.ordinary.solve import Found
 from tmm_report.figures.drawing import AXIS, NORMAL, Circle, Moving, dot, line
 from tmm_report.figures.schemes.crossed_axes import cone, thread
-from tmm_report.figures.schemes.marks import MARK, going_round, turning
+from tmm_report.figures.schemes.marks import MARK, going_round, spot, turning
 from tmm_report.mechanics.gears.trains import Member
 
 BESIDE = 8.0  # mm between the two views
@@ -98,5 +98,4 @@ def _cones_turn(
         axis = edge - side * delta
         centre, radius = apex + cmath.rect(mean * math.cos(delta), axis), mean * math.sin(delta)
         across = cmath.rect(1, axis + side * math.pi / 2)  # to the edge
-        spot = Circle(centre, 0.5, MARK, MARK.colour)
-        sketch.marks += going_round(spot, radius, name, across=across, sense=sense)
+        sketch.marks += going_round(spot(centre), radius, name, across=across, sense=sense)

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from tmm_report.figures.drawing import Circle, Moves, Moving, line
-from tmm_report.figures.schemes.marks import MARK, going_round
+from tmm_report.figures.drawing import Moves, Moving, line
+from tmm_report.figures.schemes.marks import MARK, going_round, spot
 
 if TYPE_CHECKING:
     from tmm_report.chapters.gears.train.draw.scheme import Scheme
@@ -51,15 +51,11 @@ def _of_wheel(drawn: Scheme, name: str, sense: int) -> list[Moving]:
         start, end = drawn.rim(name)
         return going_round(line(complex(start, y), complex(end, y), MARK), drawn.half(name), name, side)
     if _across(drawn, name):
-        return going_round(_spot(drawn.cone(name)), drawn.r(name), name, across=1 + 0j, sense=sense)
+        return going_round(spot(drawn.cone(name)), drawn.r(name), name, across=1 + 0j, sense=sense)
     contact = next((at for _, at, _ in drawn.contacts(name)), None)
     if contact is None or not side:
         return []
-    return going_round(_spot(complex(drawn.x[name], y)), contact.imag, name, side)
-
-
-def _spot(at: complex) -> Circle:
-    return Circle(at, 0.5, MARK, MARK.colour)
+    return going_round(spot(complex(drawn.x[name], y)), contact.imag, name, side)
 
 
 def _of_carriers(drawn: Scheme) -> Iterator[Moving]:

@@ -22,7 +22,7 @@ from tmm_report.chapters.lever.structure.block.wheels import checks as wheel_che
 from tmm_report.mechanics.lever.mechanism import FRAME, Mechanism
 from tmm_report.mechanics.lever.stated_masses import Synthesised
 from tmm_report.problems import N_, Message, Problem, ProblemError, mistake
-from tmm_report.quantity.text import Typed
+from tmm_report.quantity.text import for_example
 from tmm_report.quantity.units import WrongValue
 from tmm_report.records import dataclass
 from tmm_report.variant.errors import by_another_name, near
@@ -153,7 +153,7 @@ def _complete(read: Read) -> Found:
     for key, example in _PARTS.items():
         told = (*_MECHANISM, key) in read.broken or _elsewhere(key, _MECHANISM, read)
         if not written.get(key) and not told:
-            right = Message(N_("for example, %(example)s"), {"example": Typed(f"{key}: {example}")})
+            right = for_example(f"{key}: {example}")
             yield mistake(N_("the key %(key)s is missing"), (*_MECHANISM, key), right, key=key)
     if FRAME in _mapping(written.get("links")):
         right = Message(N_("call it otherwise"))
