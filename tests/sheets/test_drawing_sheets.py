@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Iterator
 from dataclasses import replace
+from html import unescape
 from itertools import combinations
 from xml.etree import ElementTree
 
@@ -26,6 +27,7 @@ from drawn import (
     touching,
 )
 from exhaustive import many
+from notes import drawn as drawn_in_note
 from notes import note
 
 from tmm_report import render, sheets
@@ -40,6 +42,7 @@ from tmm_report.figures.sheets.strokes import Letters, glyph
 from tmm_report.i18n import Translator
 from tmm_report.problems import ProblemError
 from tmm_report.quantity.paper import ROUND
+from tmm_report.report.formats import drawing_of
 from tmm_report.report.paper.frames import WORDS
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -115,6 +118,33 @@ def test_letters_that_touch_are_seen():
 def test_every_picture_of_the_note_is_on_one_sheet(name):
     page = note(name, "html", depth=None)["note.html"].decode()
     assert sum(len(sheet.blocks) for sheet in sheets_of(name)) == page.count("<figure")
+
+
+def plain(text: str) -> str:
+    """Without what only keeps words together, with the dash of the sheets."""
+    return unescape(text).replace("\N{WORD JOINER}", "").replace("\N{NO-BREAK SPACE}", " ").replace("—", "–")
+
+
+@pytest.mark.parametrize("name", SOME)
+def test_a_picture_is_called_on_its_sheet_as_under_the_same_drawing_in_the_note(name):
+    """But for what is drawn otherwise in the shorter note that the sheets are of."""
+    page = note(name, "html")["note.html"].decode()
+    captions = {
+        anchor: plain(re.sub("<[^>]*>", "", caption))
+        for anchor, caption in re.findall(
+            r'<figure id="([^"]+)".*?<figcaption>(.*?)</figcaption>', page, re.S
+        )
+    }
+    in_note, found = drawn_in_note(name), 0
+    for figure in pictures_of(name):
+        items = drawing_of(figure.picture).items
+        called = [
+            captions[anchor] for anchor, one in in_note.items() if one.items == items and anchor in captions
+        ]
+        words = plain(next(one for one in figure.title if isinstance(one, str))).rstrip("\N{NULL} ,;")
+        assert words and (not called or any(words in caption for caption in called)), (words, called)
+        found += bool(called)
+    assert found > 0.8 * len(pictures_of(name))
 
 
 def test_sheets_have_their_chapters_in_the_order_of_the_project():
